@@ -1,0 +1,33 @@
+# Every dependency, found once; when one is missing, the message names its Debian package.
+function(feelem_need package debian)
+    find_package(${package} ${ARGN} QUIET)
+    if(NOT ${package}_FOUND)
+        message(FATAL_ERROR "${package} is missing: install ${debian}, or run ./dev setup build")
+    endif()
+endfunction()
+
+macro(feelem_dependencies)
+    feelem_need(fmt libfmt-dev CONFIG)
+    feelem_need(FastFloat libfast-float-dev CONFIG)
+    feelem_need(nlohmann_json nlohmann-json3-dev CONFIG)
+    feelem_need(OpenSSL libssl-dev)
+    feelem_need(Threads libc6-dev)
+    feelem_need(TBB libtbb-dev CONFIG)
+    feelem_need(ZLIB zlib1g-dev)
+    if(FEELEM_BUILD_APPS)
+        feelem_need(CLI11 libcli11-dev CONFIG)
+        find_library(FEELEM_HTTPLIB cpp-httplib REQUIRED)
+        find_library(FEELEM_QRCODEGEN qrcodegencpp REQUIRED)
+    endif()
+    if(FEELEM_BUILD_TESTS)
+        feelem_need(GTest "libgtest-dev libgmock-dev" CONFIG)
+    endif()
+    if(FEELEM_BUILD_BENCH)
+        feelem_need(benchmark libbenchmark-dev CONFIG)
+    endif()
+endmacro()
+
+# find_package inside a function hides its variables from the callers but keeps imported targets local to the
+# directory: make them global.
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
+feelem_dependencies()

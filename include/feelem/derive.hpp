@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results made from results: invariants, averaging, rotation to the global system. Computed in double,
+// rounded once.
+#pragma once
+
+#include "feelem/diagnostics.hpp"
+#include "feelem/mesh.hpp"
+#include "feelem/result.hpp"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace feelem {
+
+/// One derived component: its name, which results have it, and how a row's value is made.
+struct Derivation {
+    std::string_view name;     ///< "von_mises": also the component's name.
+    std::string_view formula;  ///< For the docs table, with its source.
+    bool (*applies)(const ResultInfo& info);
+    /// `row` holds the result's components; NaN in gives NaN out.
+    double (*make)(const ResultInfo& info, std::span<const float> row);
+};
+std::span<const Derivation> derivations();
+
+/// Names of the derivations that apply and that the file does not list itself, in table order.
+std::vector<std::string_view> derivable_components(const ResultInfo& info);
+
+/// A scalar result with the rows of `result`: a stored component, or a derived one. Throws
+/// Error(UnknownName).
+Result component_of(const Result& result, std::string_view component);
+
+/// Element-nodal -> part-nodal (Averaging::Part) or nodal (Averaging::All): arithmetic mean at each node; NaN
+/// rows do not count. Other results come back unchanged.
+Result average(const Mesh& mesh, const Result& result, Averaging averaging);
+
+/// Turns vectors and tensors in rotated nodal systems into the global one (Mesh::node_angles); others
+/// unchanged.
+Result to_global(const Mesh& mesh, const Result& result);
+
+}  // namespace feelem

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Value -> colour, tone, tick, pulse (senses.md 6), and the presentation that says which result drives which.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace feelem {
+
+enum class Scale : std::uint8_t {
+    Linear,
+    Log,
+    Signed,
+    SymLog
+};
+
+/// One range a result, shared by all its effects, so that the senses cannot disagree.
+struct ValueRange {
+    double lo = 0;
+    double hi = 1;
+    Scale scale = Scale::Linear;
+};
+
+/// Position of a value in a range. `u` is clamped to 0..1; NaN in: `missing`.
+struct Normalised {
+    double u = 0;
+    double sign = 1;  ///< Of the value, for Scale::Signed.
+    bool below = false, above = false, missing = false;
+};
+Normalised normalise(double value, const ValueRange& range);
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+/// Names of the colour maps, default first: batlow viridis cividis turbo ansys_rainbow cool_warm.
+std::span<const std::string_view> colour_maps();
+/// sRGB of a map at t in 0..1. Throws Error(UnknownName).
+Rgb map_colour(std::string_view map, double t);
+
+struct ColourEffect {
+    std::string map = "batlow";
+    int bands = 9;  ///< 0: continuous.
+    bool invert = false;
+    Rgb above{255, 0, 255}, below{255, 255, 0}, missing{128, 128, 128};
+};
+Rgb colour_of(double value, const ValueRange& range, const ColourEffect& effect);
+
+struct PitchEffect {
+    double midi_low = 48, midi_high = 84;
+    double gamma = 1;
+    bool invert = false;
+};
+struct Tone {
+    double hz = 0;
+    double gain = 0;  ///< Equal-loudness gain g(f), 0..1; 0: silent (missing).
+};
+Tone tone_of(double value, const ValueRange& range, const PitchEffect& effect);
+
+struct TickEffect {
+    double rate_low = 1.5, rate_high = 12;  ///< Hz
+    bool invert = false;
+};
+/// Ticks a second; 0 when missing.
+double tick_rate_of(double value, const ValueRange& range, const TickEffect& effect);
+
+struct PulseEffect {
+    double rate_low = 2, rate_high = 10;  ///< Hz
+    double amplitude_min = 0.15;
+    double milliseconds = 35;
+    bool invert = false;
+};
+struct Pulse {
+    double rate = 0;       ///< Hz; 0 when missing.
+    double amplitude = 0;  ///< 0..1
+};
+Pulse pulse_of(double value, const ValueRange& range, const PulseEffect& effect);
+
+/// What the presentation (senses.md 6.10) says of a result.
+struct PresentedResult {
+    std::string key;   ///< "T"
+    std::string name;  ///< "temperature"
+    std::string component = "value";
+    std::string location = "nodal";
+    std::string unit;
+    std::string range_mode = "auto";  ///< auto allSteps percentile manual
+    std::optional<double> lo, hi;
+    Scale scale = Scale::Linear;
+    std::array<double, 2> percentile{0.5, 99.5};
+    std::optional<double> limit;
+    std::string limit_label;
+};
+
+enum class Sense : std::uint8_t {
+    Colour,
+    Pitch,
+    Ticks,
+    Pulses,
+    Shape
+};
+struct PresentedEffect {
+    std::string result;  ///< A PresentedResult's key.
+    Sense sense = Sense::Colour;
+    ColourEffect colour;
+    PitchEffect pitch;
+    TickEffect ticks;
+    PulseEffect pulses;
+};
+
+struct Presentation {
+    std::string title;
+    std::vector<PresentedResult> results;
+    std::vector<PresentedEffect> effects;
+    std::string deformation_result;            ///< Key; empty: none.
+    std::optional<double> deformation_factor;  ///< Empty: 5 % of the largest side.
+    std::optional<std::array<int, 3>> step;    ///< input, step, substep
+    std::string json;  ///< The document it was read from: unknown keys survive a round trip.
+};
+
+/// Throws Error(BadPresentation) with the path of the key: "effects[1].result: no result has the key 'X'".
+Presentation parse_presentation(std::string_view json, std::string_view name);
+std::string presentation_json(const Presentation& presentation);
+
+/// One result that could be shown, for the automatic choice.
+struct Candidate {
+    std::string name;       ///< "temperature"
+    std::string component;  ///< "value", "magnitude", "von_mises"
+    std::string unit;
+    bool has_sign = false;  ///< Values on both sides of zero.
+};
+/// senses.md 6.7, 6.8: effects for the 1 to 4 most telling candidates; displacement also drives the shape.
+Presentation choose_presentation(std::span<const Candidate> candidates, std::string_view title);
+
+/// 0.05 x largest side / largest displacement (senses.md 3.3); 0 when there is no displacement.
+double automatic_deformation_factor(double largest_side, double largest_displacement);
+
+}  // namespace feelem

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of one model in, one ModelSource out; recognised by content.
+#pragma once
+
+#include "feelem/diagnostics.hpp"
+#include "feelem/model.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace feelem {
+
+struct ReadOptions {
+    std::string from;   ///< Force a reader by id; empty: by content.
+    std::string types;  ///< "1=SOLID92,2=SHELL63" or the path of an ETLIST listing.
+};
+
+/// A kind of file that can be read, for `feelem formats` and the docs.
+struct ReadFormatInfo {
+    std::string_view id;        ///< "calculix-frd"
+    std::string_view title;     ///< "CalculiX results"
+    std::string_view suffixes;  ///< ".frd"
+    bool has_mesh = false;
+    bool has_results = false;
+};
+std::vector<ReadFormatInfo> read_formats();
+
+/// Opens the files (or folders) of one model. Throws Error when none can be used.
+std::unique_ptr<ModelSource> open_model(
+    std::span<const std::string> paths, const ReadOptions& options, Diagnostics& diagnostics
+);
+
+/// The same from bytes in memory (tests, fuzzing, and later the browser). Names are for messages.
+struct NamedBytes {
+    std::string name;
+    std::string bytes;
+};
+std::unique_ptr<ModelSource> open_model(
+    std::vector<NamedBytes> files, const ReadOptions& options, Diagnostics& diagnostics
+);
+
+}  // namespace feelem

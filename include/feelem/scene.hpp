@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene of docs/scene-format.md: written as .glb or .gltf, read back, and checked against its
+// certificate.
+#pragma once
+
+#include "feelem/diagnostics.hpp"
+#include "feelem/model.hpp"
+#include "feelem/present.hpp"
+#include "feelem/surface.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace feelem {
+
+/// Smallest or largest value of a result over the whole model, with its solver id (smallest id on a tie).
+struct Extreme {
+    float value = 0;
+    std::int64_t id = 0;
+};
+
+/// One result at one step, as the scene lists it.
+struct SceneValues {
+    std::size_t step = 0;                ///< Into SceneContents::steps.
+    std::optional<Extreme> min, max;     ///< Scalars only: of the solver's values over the whole model.
+    std::uint64_t missing_in_model = 0;  ///< Nodes (elements) of the model without a value.
+};
+
+/// One result of the scene: as the solver gave it, or one derived scalar of it.
+struct SceneResult {
+    std::string id;                       ///< Unique, [a-z0-9_]+: "temperature", "stress_von_mises".
+    std::string quantity;                 ///< cli.md's name: "stress".
+    std::string title;                    ///< For people: "von Mises stress".
+    std::string source;                   ///< The solver's name: "STRESS".
+    std::vector<std::string> components;  ///< {"value"}, {"x","y","z"}, {"von_mises"}, {"xx",...}.
+    Shape shape = Shape::Scalar;
+    std::string unit;  ///< Empty: unknown.
+    Location location = Location::Nodal;
+    Averaging averaging = Averaging::NotApplicable;
+    Complex complex = Complex::No;
+    Layer layer = Layer::No;
+    Shear shear = Shear::NotApplicable;
+    bool derived = false;
+    std::vector<SceneValues> values;
+};
+
+/// Everything a scene is made of. Fields are asked for one at a time, so that memory holds one.
+struct SceneContents {
+    std::string title;
+    SolverInfo solver;
+    std::vector<InputRecord> inputs;
+    const Mesh* mesh = nullptr;
+    const Surface* surface = nullptr;
+    char up = 'z';  ///< The model's up axis.
+    std::vector<Step> steps;
+    std::vector<SceneResult> results;
+    std::size_t shown_step = 0;  ///< Step whose results stand in the attributes.
+    std::function<SurfaceField(std::size_t result, std::size_t values)> load;
+    Presentation presentation;  ///< Ranges resolved: lo and hi set on every result it uses.
+    std::map<std::string, std::string>
+        notes;  ///< Facts for the certificate: "midside_interpolated" -> "5124".
+};
+
+struct SceneOptions {
+    std::uint64_t embed_limit = 4u << 20;  ///< Side files smaller than this in all stay inside the .glb.
+};
+
+/// Atomic: on failure the old file is still there. Throws Error(WriteFailed).
+void write_scene(
+    const SceneContents& contents,
+    const std::string& path,
+    const SceneOptions& options,
+    Diagnostics& diagnostics
+);
+
+/// A scene read back: what `probe` and `check` need.
+struct ScenePart {
+    std::string name;
+    std::string kind;                             ///< solid shell beam point
+    std::string domain;                           ///< node element-node
+    std::vector<std::array<float, 3>> positions;  ///< Model units minus origin.
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::int64_t> node_ids;     ///< Per vertex; 0 = none.
+    std::vector<std::int64_t> element_ids;  ///< Per triangle.
+};
+struct SceneField {
+    std::size_t result = 0;
+    std::size_t step = 0;  ///< Into Scene::steps.
+    std::size_t part = 0;
+    std::vector<float> values;  ///< vertices x components; NaN where the mask says missing.
+    std::vector<Validity> validity;
+};
+struct Scene {
+    std::string title;
+    Point3 origin{};
+    std::optional<LengthUnit> length_unit;
+    std::vector<ScenePart> parts;
+    std::vector<Step> steps;
+    std::vector<SceneResult> results;
+    Presentation presentation;
+    std::vector<SceneField> fields;  ///< Filled by load_scene.
+    std::string extras_json;         ///< extras.feelem as written.
+};
+/// Throws Error(BadScene) on anything that is not a scene of ours.
+Scene load_scene(const std::string& path);
+
+/// One claim of the certificate that was recomputed.
+struct Claim {
+    std::string name;  ///< "digest p0/_TEMPERATURE/1"
+    std::string claimed, found;
+    bool holds = false;
+};
+/// Digests, counts, closedness, area, volume, extremes and id maps against the certificate.
+std::vector<Claim> check_scene(const std::string& path);
+
+}  // namespace feelem

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Fails when a folder includes a folder it must not know. The table below is the architecture."""
+import pathlib
+import re
+import sys
+
+MAY_INCLUDE = {
+    "base": [],
+    "model": ["base"],
+    "read": ["base", "model"],
+    "derive": ["base", "model"],
+    "skin": ["base", "model"],
+    "pick": ["base", "model"],
+    "write": ["base", "model"],
+    "present": ["base"],
+    "scene": ["base", "model", "present"],
+    "convert": ["base", "model", "read", "derive", "skin", "pick", "present", "scene", "write"],
+    "distribute": ["base", "model", "convert"],
+}
+PUBLIC_HEADER_OWNER = {
+    "error": "base", "diagnostics": "base",
+    "ids": "model", "element_type": "model", "mesh": "model", "result": "model", "model": "model", "surface": "model",
+    "read": "read", "derive": "derive", "skin": "skin", "pick": "pick", "write": "write", "present": "present",
+    "scene": "scene", "convert": "convert",
+}
+ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
+
+
+def owner(include: str) -> str | None:
+    """Layer that an include path belongs to, or None when it is not ours."""
+    if include.startswith("feelem/"):
+        return PUBLIC_HEADER_OWNER[pathlib.PurePath(include).stem]
+    first = include.split("/")[0]
+    return first if "/" in include and first in MAY_INCLUDE else None
+
+
+def main(root: pathlib.Path) -> int:
+    found = []
+    folders = [root / name for name in ("include", "src", "apps", "tests", "bench", "fuzz")]
+    for path in sorted(p for folder in folders for p in folder.rglob("*") if p.suffix in (".hpp", ".cpp")):
+        where = path.relative_to(root).as_posix()
+        for include in INCLUDE.findall(path.read_text()):
+            for library, folder in ONLY_IN.items():
+                if include.startswith(library) and not where.startswith(folder):
+                    found.append(f"{where}: <{include}> belongs to {folder} only")
+            me = where.split("/")[1] if where.startswith("src/") else owner(where.removeprefix("include/"))
+            other = owner(include)
+            if me in MAY_INCLUDE and other and other != me and other not in MAY_INCLUDE[me]:
+                found.append(f"{where}: {me} must not include {other} ({include})")
+    print("\n".join(found) or "layers: clean")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")))

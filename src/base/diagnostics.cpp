@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of codes, and the bounded list.
+#include "feelem/diagnostics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+namespace feelem {
+namespace {
+
+using enum Severity;
+
+constexpr std::array kTable{
+    CodeInfo{Code::FileNotFound, "file_not_found", Error, "A file or folder does not exist."},
+    CodeInfo{Code::FileUnreadable, "file_unreadable", Error, "A file exists but cannot be read."},
+    CodeInfo{Code::UnknownFormat, "unknown_format", Error, "No reader recognises the file's content."},
+    CodeInfo{Code::BadNumber, "bad_number", Error, "Something else stands where a number must be."},
+    CodeInfo{Code::Truncated, "truncated", Error, "The file ends in the middle of something needed."},
+    CodeInfo{Code::BadStructure, "bad_structure", Error, "The file contradicts its own format."},
+    CodeInfo{Code::NoNodes, "no_nodes", Error, "The inputs define no node."},
+    CodeInfo{Code::NoElements, "no_elements", Error, "The inputs define no element that has a surface."},
+    CodeInfo{Code::NotAMesh, "not_a_mesh", Error, "The list has elements but not their nodes."},
+    CodeInfo{Code::TooLarge, "too_large", Error, "A number exceeds what the program can hold."},
+    CodeInfo{
+        Code::WriteFailed,
+        "write_failed",
+        Error,
+        "The output could not be written; the old file is still there."},
+    CodeInfo{Code::BadOption, "bad_option", Error, "An option's value cannot be understood."},
+    CodeInfo{Code::UnknownName, "unknown_name", Error, "No result, step, format or option has that name."},
+    CodeInfo{Code::BadScene, "bad_scene", Error, "The file is not a scene that Feelem wrote, or is damaged."},
+    CodeInfo{
+        Code::BadPresentation, "bad_presentation", Error, "The presentation does not follow its schema."},
+    CodeInfo{
+        Code::MeshesDiffer, "meshes_differ", Error, "Two inputs hold different meshes under the same ids."},
+    CodeInfo{
+        Code::UnknownNode,
+        "unknown_node",
+        Warning,
+        "An element uses a node that no input defines; it is left out."},
+    CodeInfo{
+        Code::DuplicateNode, "duplicate_node", Warning, "A node is defined twice; the later one counts."},
+    CodeInfo{
+        Code::DuplicateElement,
+        "duplicate_element",
+        Warning,
+        "A solid has the same corners as an earlier one, or an id occurs twice; it is set aside."},
+    CodeInfo{
+        Code::InvertedElement,
+        "inverted_element",
+        Warning,
+        "A solid has negative volume: its nodes are in mirrored order."},
+    CodeInfo{
+        Code::DegenerateElement,
+        "degenerate_element",
+        Note,
+        "An element repeats nodes and was read as the simpler shape it is."},
+    CodeInfo{
+        Code::UnknownElementType,
+        "unknown_element_type",
+        Warning,
+        "Elements of a type that Feelem does not know are left out."},
+    CodeInfo{
+        Code::GuessedElementType,
+        "guessed_element_type",
+        Warning,
+        "No type table was given: the shape was concluded from the node count and the geometry."},
+    CodeInfo{
+        Code::SkippedElement,
+        "skipped_element",
+        Note,
+        "Elements without a surface of their own (contact, springs) are left out."},
+    CodeInfo{
+        Code::MissingMidside,
+        "missing_midside",
+        Note,
+        "An element leaves out mid-side nodes; its edge is straight there."},
+    CodeInfo{
+        Code::MidsideInterpolated,
+        "midside_interpolated",
+        Note,
+        "A result lists corner nodes only; mid-side nodes show the mean of their edge, marked with ~."},
+    CodeInfo{
+        Code::FacetWithManyOwners,
+        "facet_with_many_owners",
+        Warning,
+        "A facet has three or more owners; it is taken as inner."},
+    CodeInfo{
+        Code::UnmatchedFacets,
+        "unmatched_facets",
+        Warning,
+        "Facets with the same corners differ in mid-side nodes, or a quad faces two triangles; both are "
+        "kept."},
+    CodeInfo{
+        Code::ResultWithoutNode,
+        "result_without_node",
+        Warning,
+        "A result lists a node or element that the mesh does not have."},
+    CodeInfo{
+        Code::ResultForPartOfModel,
+        "result_for_part_of_model",
+        Note,
+        "A result has values for a part of the nodes or elements only."},
+    CodeInfo{Code::EmptyResult, "empty_result", Note, "A result block holds no value; it is left out."},
+    CodeInfo{
+        Code::NonFiniteValue,
+        "non_finite_value",
+        Warning,
+        "NaN, infinity or *** in the file; treated as missing."},
+    CodeInfo{
+        Code::CoordinateSystem,
+        "coordinate_system",
+        Warning,
+        "Values or coordinates are not in the global Cartesian system."},
+    CodeInfo{
+        Code::NodalSystemRotated,
+        "nodal_system_rotated",
+        Note,
+        "Values in rotated nodal systems were turned into the global one."},
+    CodeInfo{
+        Code::LowPrecision,
+        "low_precision",
+        Note,
+        "Coordinates have so few digits that edges may not meet exactly."},
+    CodeInfo{
+        Code::UnknownBlock,
+        "unknown_block",
+        Note,
+        "A block of the file is of a kind that Feelem does not use."},
+    CodeInfo{Code::UnitsUnknown, "units_unknown", Note, "The inputs do not say in which unit lengths are."},
+    CodeInfo{
+        Code::StepsLeftOut,
+        "steps_left_out",
+        Note,
+        "More steps than are shown by default; --steps all takes them all."},
+    CodeInfo{
+        Code::SeveralValuesAtNode,
+        "several_values_at_node",
+        Note,
+        "A node has several values (one a body, material or layer); they are kept apart."},
+    CodeInfo{
+        Code::TruncatedInput,
+        "truncated_input",
+        Warning,
+        "The file ends early; what came before it is used."},
+    CodeInfo{
+        Code::LargeRounding,
+        "large_rounding",
+        Note,
+        "Coordinates are far from the origin; they were shifted before rounding to float."},
+};
+
+constexpr std::size_t kMostTextsOfACode = 200;
+
+constexpr bool table_is_in_order() {
+    for (std::size_t i = 0; i < kTable.size(); ++i) {
+        if (static_cast<std::size_t>(kTable[i].code) != i) return false;
+    }
+    return true;
+}
+static_assert(table_is_in_order(), "a row for each Code, in the order of the enum");
+
+}  // namespace
+
+std::span<const CodeInfo> code_table() {
+    return kTable;
+}
+
+const CodeInfo& code_info(Code code) {
+    assert(static_cast<std::size_t>(code) < kTable.size());
+    return kTable[static_cast<std::size_t>(code)];
+}
+
+void Diagnostics::add(
+    Code code, const std::function<std::string()>& where, std::string text, std::uint64_t count
+) {
+    std::size_t texts = 0;
+    Diagnostic* last = nullptr;
+    for (Diagnostic& entry : entries_) {
+        if (entry.code != code) continue;
+        if (entry.text == text) {
+            entry.count += count;
+            return;
+        }
+        ++texts;
+        last = &entry;
+    }
+    if (texts >= kMostTextsOfACode) {
+        last->count += count;
+        return;
+    }
+    entries_.push_back({code, where(), std::move(text), count});
+}
+
+void Diagnostics::add(Code code, std::string where, std::string text, std::uint64_t count) {
+    add(
+        code, [&] { return std::move(where); }, std::move(text), count
+    );
+}
+
+bool Diagnostics::has(Code code) const noexcept {
+    return count(code) > 0;
+}
+
+std::uint64_t Diagnostics::count(Code code) const noexcept {
+    std::uint64_t sum = 0;
+    for (const Diagnostic& entry : entries_) {
+        if (entry.code == code) sum += entry.count;
+    }
+    return sum;
+}
+
+}  // namespace feelem

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/node_lookup.hpp"
+
+#include <algorithm>
+
+namespace feelem {
+
+NodeLookup::NodeLookup(std::span<const NodeId> sorted_ids) : ids_(sorted_ids) {
+    if (ids_.empty()) return;
+    first_ = raw(ids_.front());
+    const auto extent = static_cast<std::uint64_t>(raw(ids_.back())) - static_cast<std::uint64_t>(first_);
+    consecutive_ = extent == ids_.size() - 1;
+    if (consecutive_ || extent >= 4 * ids_.size()) return;
+    dense_.assign(extent + 1, kNoNode);
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        dense_[static_cast<std::size_t>(raw(ids_[i]) - first_)] = NodeIndex{static_cast<std::uint32_t>(i)};
+    }
+}
+
+NodeIndex NodeLookup::operator()(NodeId id) const noexcept {
+    const auto offset = static_cast<std::uint64_t>(raw(id)) - static_cast<std::uint64_t>(first_);
+    if (consecutive_) return offset < ids_.size() ? NodeIndex{static_cast<std::uint32_t>(offset)} : kNoNode;
+    if (!dense_.empty()) return offset < dense_.size() ? dense_[offset] : kNoNode;
+    const auto found = std::ranges::lower_bound(ids_, id);
+    if (found == ids_.end() || *found != id) return kNoNode;
+    return NodeIndex{static_cast<std::uint32_t>(found - ids_.begin())};
+}
+
+}  // namespace feelem

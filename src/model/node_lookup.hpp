@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Node id -> index for many look-ups: a dense table where ids are dense, else a search.
+#pragma once
+
+#include "feelem/ids.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace feelem {
+
+class NodeLookup {
+public:
+    /// `sorted_ids` strictly ascending; not copied, keep it alive.
+    explicit NodeLookup(std::span<const NodeId> sorted_ids);
+    /// kNoNode when there is no such node.
+    NodeIndex operator()(NodeId id) const noexcept;
+
+private:
+    std::span<const NodeId> ids_;
+    std::int64_t first_ = 0;
+    bool consecutive_ = false;      ///< ids are first, first + 1, ...: no table needed.
+    std::vector<NodeIndex> dense_;  ///< By id - first_, when at most 4 times as long as ids_.
+};
+
+}  // namespace feelem

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/collapse.hpp"
+#include "model/mesh_builder.hpp"
+#include "support/meshes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace feelem {
+namespace {
+
+TEST(MeshBuilder, sorts_nodes_by_id_and_keeps_the_later_of_two_definitions) {
+    Diagnostics diagnostics;
+    MeshBuilder builder(diagnostics);
+    builder.add_node(NodeId{9}, {9, 0, 0});
+    builder.add_node(NodeId{2}, {2, 0, 0});
+    builder.add_node(NodeId{9}, {99, 0, 0});
+    builder.seal_nodes();
+
+    const Mesh mesh = builder.finish();
+
+    EXPECT_EQ(mesh.node_ids, (std::vector{NodeId{2}, NodeId{9}}));
+    EXPECT_EQ(mesh.coordinates[1][0], 99);
+    EXPECT_TRUE(diagnostics.has(Code::DuplicateNode));
+}
+
+TEST(MeshBuilder, an_element_with_an_unknown_node_is_left_out_and_reported) {
+    Diagnostics diagnostics;
+    const Mesh mesh =
+        test::tiny_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{ElementType::Tri3, {1, 2, 77}}}, diagnostics);
+
+    EXPECT_EQ(mesh.element_count(), 0U);
+    EXPECT_EQ(diagnostics.count(Code::UnknownNode), 1U);
+}
+
+TEST(MeshBuilder, a_quadratic_row_without_any_mid_side_node_is_linear) {
+    const Mesh mesh =
+        test::tiny_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{ElementType::Tet10, {1, 2, 3, 4}}});
+
+    EXPECT_EQ(mesh.blocks.at(0).type, ElementType::Tet4);
+}
+
+TEST(MeshBuilder, a_left_out_mid_side_node_is_kept_as_missing_and_reported) {
+    Diagnostics diagnostics;
+    const Mesh mesh = test::tiny_mesh(
+        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.5, 0, 0}}, {{ElementType::Tri6, {1, 2, 3, 4, 0}}}, diagnostics
+    );
+
+    ASSERT_EQ(mesh.blocks.at(0).type, ElementType::Tri6);
+    EXPECT_EQ(mesh.blocks[0].nodes[3], NodeIndex{3});
+    EXPECT_EQ(mesh.blocks[0].nodes[4], kNoNode);
+    EXPECT_EQ(diagnostics.count(Code::MissingMidside), 2U);
+}
+
+double volume(ElementType type, std::span<const NodeIndex> nodes, std::span<const Point3> at) {
+    double sum = 0;
+    for (const FacetRow& facet : facets_of(type)) {
+        const auto corners = facet_corners(facet);
+        for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+            const Point3 &a = at[raw(nodes[corners[0]])], &b = at[raw(nodes[corners[i]])],
+                         &c = at[raw(nodes[corners[i + 1]])];
+            sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                    a[2] * (b[0] * c[1] - b[1] * c[0])) /
+                   6;
+        }
+    }
+    return sum;
+}
+
+struct Pattern {
+    const char* name;
+    std::vector<std::uint32_t> corners;  // of the unit cube's eight
+    ElementType expected;
+    double expected_volume;
+};
+
+TEST(Collapse, any_pattern_of_repeats_gives_the_shape_that_is_there) {
+    const ElementRow& cube = element_row(ElementType::Hex8);
+    std::vector<Point3> at;
+    for (std::size_t i = 0; i < 8; ++i)
+        at.push_back({cube.reference[i][0], cube.reference[i][1], cube.reference[i][2]});
+    const Pattern patterns[]{
+        {"Ansys wedge K=L O=P", {0, 1, 2, 2, 4, 5, 6, 6}, ElementType::Wedge6, 0.5},
+        {"Ansys pyramid M=N=O=P", {0, 1, 2, 3, 4, 4, 4, 4}, ElementType::Pyramid5, 1.0 / 3},
+        {"Ansys tet", {0, 1, 2, 2, 4, 4, 4, 4}, ElementType::Tet4, 1.0 / 6},
+        {"wedge with I=J M=N", {0, 0, 2, 3, 4, 4, 6, 7}, ElementType::Wedge6, 0.5},
+        {"wedge lying down I=M L=P", {0, 1, 2, 3, 0, 5, 6, 3}, ElementType::Wedge6, 0.5},
+        {"tet with I=J", {0, 0, 1, 2, 4, 4, 4, 4}, ElementType::Tet4, 1.0 / 6},
+    };
+    for (const Pattern& pattern : patterns) {
+        std::vector<NodeIndex> nodes;
+        for (const std::uint32_t corner : pattern.corners) nodes.push_back(NodeIndex{corner});
+
+        const auto collapsed = collapse(ElementType::Hex8, nodes);
+
+        ASSERT_TRUE(collapsed.has_value()) << pattern.name;
+        EXPECT_EQ(collapsed->type, pattern.expected) << pattern.name;
+        EXPECT_NEAR(volume(collapsed->type, collapsed->nodes, at), pattern.expected_volume, 1e-12)
+            << pattern.name;
+    }
+}
+
+TEST(Collapse, a_brick_with_one_collapsed_edge_stays_a_brick) {
+    const std::vector<NodeIndex> nodes{
+        NodeIndex{0},
+        NodeIndex{1},
+        NodeIndex{2},
+        NodeIndex{2},
+        NodeIndex{4},
+        NodeIndex{5},
+        NodeIndex{6},
+        NodeIndex{7}};
+
+    EXPECT_FALSE(collapse(ElementType::Hex8, nodes).has_value());
+}
+
+TEST(Collapse, the_20_node_rows_that_ansys_writes_keep_their_mid_side_nodes) {
+    // I J K K M N O O | Q R K T U V O X Y Z A A: letters as numbers, I=0 .. P=7, Q=8 ..
+    const auto n = [](std::uint32_t i) { return NodeIndex{i}; };
+    const std::vector<NodeIndex> wedge{n(0), n(1),  n(2),  n(2),  n(4), n(5),  n(6),  n(6),  n(8),  n(9),
+                                       n(2), n(11), n(12), n(13), n(6), n(15), n(16), n(17), n(18), n(18)};
+
+    const auto collapsed = collapse(ElementType::Hex20, wedge);
+
+    ASSERT_TRUE(collapsed.has_value());
+    ASSERT_EQ(collapsed->type, ElementType::Wedge15);
+    for (const EdgeRow& edge : edges_of(ElementType::Wedge15)) {
+        EXPECT_NE(collapsed->nodes[edge.middle], kNoNode);
+    }
+    const std::vector<NodeIndex> tet{n(0), n(1),  n(2), n(2), n(4), n(4), n(4),  n(4),  n(8),  n(9),
+                                     n(2), n(11), n(4), n(4), n(4), n(4), n(16), n(17), n(18), n(18)};
+    const auto small = collapse(ElementType::Hex20, tet);
+    ASSERT_TRUE(small.has_value());
+    ASSERT_EQ(small->type, ElementType::Tet10);
+    for (const EdgeRow& edge : edges_of(ElementType::Tet10)) EXPECT_NE(small->nodes[edge.middle], kNoNode);
+}
+
+TEST(Collapse, a_quad_with_its_last_node_repeated_is_a_triangle) {
+    const Mesh mesh =
+        test::tiny_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{ElementType::Quad4, {1, 2, 3, 3}}});
+
+    EXPECT_EQ(mesh.blocks.at(0).type, ElementType::Tri3);
+}
+
+TEST(NodeLookup, finds_ids_whether_dense_or_sparse) {
+    const std::vector<NodeId> consecutive{NodeId{5}, NodeId{6}, NodeId{7}};
+    const std::vector<NodeId> dense{NodeId{5}, NodeId{7}, NodeId{9}};
+    const std::vector<NodeId> sparse{NodeId{-3}, NodeId{7}, NodeId{2'000'000'000'000}};
+    for (const auto* ids : {&consecutive, &dense, &sparse}) {
+        const NodeLookup lookup(*ids);
+        for (std::size_t i = 0; i < ids->size(); ++i)
+            EXPECT_EQ(lookup((*ids)[i]), NodeIndex{static_cast<std::uint32_t>(i)});
+        EXPECT_EQ(lookup(NodeId{8}), kNoNode);
+        EXPECT_EQ(lookup(NodeId{-100}), kNoNode);
+    }
+}
+
+}  // namespace
+}  // namespace feelem
