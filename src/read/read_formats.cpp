@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of readers: a new one is a folder beside this file and one line here.
+#include "read/read_format.hpp"
+
+#include <vector>
+
+namespace feelem {
+
+std::span<const ReadFormat> read_format_list() {
+    // One line a reader: `calculix_frd_format(),` declared by its own header.
+    static const std::vector<ReadFormat> list{};
+    return list;
+}
+
+std::vector<ReadFormatInfo> read_formats() {
+    std::vector<ReadFormatInfo> infos;
+    for (const ReadFormat& format : read_format_list()) infos.push_back(format.info);
+    return infos;
+}
+
+std::string_view head_of(const Input& input) {
+    constexpr std::size_t kHead = 64u << 10;
+    return input.text().substr(0, kHead);
+}
+
+}  // namespace feelem
