@@ -26,10 +26,12 @@ struct ValueRange {
     Scale scale = Scale::Linear;
 };
 
-/// Position of a value in a range. `u` is clamped to 0..1; NaN in: `missing`.
+/// Position of a value in a range. `u` is clamped to 0..1; NaN in: `missing`. A range without width puts its
+/// one value in the middle. Scale::Log over a range that reaches zero is taken as SymLog.
 struct Normalised {
     double u = 0;
-    double sign = 1;  ///< Of the value, for Scale::Signed.
+    double position = 0;  ///< On the colour map: u, but for Scale::Signed (0 -> 0.5, range symmetric).
+    double sign = 1;      ///< Of the value, for Scale::Signed.
     bool below = false, above = false, missing = false;
 };
 Normalised normalise(double value, const ValueRange& range);
@@ -38,8 +40,10 @@ using Rgb = std::array<std::uint8_t, 3>;
 
 /// Names of the colour maps, default first: batlow viridis cividis turbo ansys_rainbow cool_warm.
 std::span<const std::string_view> colour_maps();
-/// sRGB of a map at t in 0..1. Throws Error(UnknownName).
+/// sRGB of a map at t in 0..1: linear between the map's rows. Throws Error(UnknownName).
 Rgb map_colour(std::string_view map, double t);
+/// Which of `bands` equal bands t lies in: 0..bands-1.
+int band_of(double t, int bands);
 
 struct ColourEffect {
     std::string map = "batlow";
@@ -47,16 +51,30 @@ struct ColourEffect {
     bool invert = false;
     Rgb above{255, 0, 255}, below{255, 255, 0}, missing{128, 128, 128};
 };
+/// The effect's colour at t in 0..1 of the range: bands and inversion applied. Outer bands take the map's
+/// ends.
+Rgb palette_colour(double t, const ColourEffect& effect);
 Rgb colour_of(double value, const ValueRange& range, const ColourEffect& effect);
 
+enum class Quantise : std::uint8_t {
+    None,
+    Semitone,
+    Pentatonic
+};
 struct PitchEffect {
     double midi_low = 48, midi_high = 84;
     double gamma = 1;
     bool invert = false;
+    Quantise quantise = Quantise::None;
+    bool sign_timbre = true;  ///< Negative values of Scale::Signed sound hollow.
 };
+/// Amplitudes of the harmonics 1..4 of the tone, and of the hollow tone of negative values.
+inline constexpr std::array<double, 4> kTonePartials{1, 0.5, 0.25, 0.125};
+inline constexpr std::array<double, 4> kNegativePartials{1, 0, 0.45, 0};
 struct Tone {
     double hz = 0;
-    double gain = 0;  ///< Equal-loudness gain g(f), 0..1; 0: silent (missing).
+    double gain = 0;        ///< Equal-loudness gain g(f), 0..1; 0: silent (missing).
+    bool negative = false;  ///< Use kNegativePartials.
 };
 Tone tone_of(double value, const ValueRange& range, const PitchEffect& effect);
 
