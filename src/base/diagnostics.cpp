@@ -10,145 +10,168 @@
 namespace feelem {
 namespace {
 
-using enum Severity;
-
 constexpr std::array kTable{
-    CodeInfo{Code::FileNotFound, "file_not_found", Error, "A file or folder does not exist."},
-    CodeInfo{Code::FileUnreadable, "file_unreadable", Error, "A file exists but cannot be read."},
-    CodeInfo{Code::UnknownFormat, "unknown_format", Error, "No reader recognises the file's content."},
-    CodeInfo{Code::BadNumber, "bad_number", Error, "Something else stands where a number must be."},
-    CodeInfo{Code::Truncated, "truncated", Error, "The file ends in the middle of something needed."},
-    CodeInfo{Code::BadStructure, "bad_structure", Error, "The file contradicts its own format."},
-    CodeInfo{Code::NoNodes, "no_nodes", Error, "The inputs define no node."},
-    CodeInfo{Code::NoElements, "no_elements", Error, "The inputs define no element that has a surface."},
-    CodeInfo{Code::NotAMesh, "not_a_mesh", Error, "The list has elements but not their nodes."},
-    CodeInfo{Code::TooLarge, "too_large", Error, "A number exceeds what the program can hold."},
+    CodeInfo{Code::FileNotFound, "file_not_found", Severity::Error, "A file or folder does not exist."},
+    CodeInfo{Code::FileUnreadable, "file_unreadable", Severity::Error, "A file exists but cannot be read."},
+    CodeInfo{
+        Code::UnknownFormat, "unknown_format", Severity::Error, "No reader recognises the file's content."},
+    CodeInfo{Code::BadNumber, "bad_number", Severity::Error, "Something else stands where a number must be."},
+    CodeInfo{
+        Code::Truncated, "truncated", Severity::Error, "The file ends in the middle of something needed."},
+    CodeInfo{Code::BadStructure, "bad_structure", Severity::Error, "The file contradicts its own format."},
+    CodeInfo{Code::NoNodes, "no_nodes", Severity::Error, "The inputs define no node."},
+    CodeInfo{
+        Code::NoElements, "no_elements", Severity::Error, "The inputs define no element that has a surface."},
+    CodeInfo{Code::NotAMesh, "not_a_mesh", Severity::Error, "The list has elements but not their nodes."},
+    CodeInfo{Code::TooLarge, "too_large", Severity::Error, "A number exceeds what the program can hold."},
     CodeInfo{
         Code::WriteFailed,
         "write_failed",
-        Error,
+        Severity::Error,
         "The output could not be written; the old file is still there."},
-    CodeInfo{Code::BadOption, "bad_option", Error, "An option's value cannot be understood."},
-    CodeInfo{Code::UnknownName, "unknown_name", Error, "No result, step, format or option has that name."},
-    CodeInfo{Code::BadScene, "bad_scene", Error, "The file is not a scene that Feelem wrote, or is damaged."},
+    CodeInfo{Code::BadOption, "bad_option", Severity::Error, "An option's value cannot be understood."},
     CodeInfo{
-        Code::BadPresentation, "bad_presentation", Error, "The presentation does not follow its schema."},
+        Code::UnknownName,
+        "unknown_name",
+        Severity::Error,
+        "No result, step, format or option has that name."},
     CodeInfo{
-        Code::MeshesDiffer, "meshes_differ", Error, "Two inputs hold different meshes under the same ids."},
+        Code::BadScene,
+        "bad_scene",
+        Severity::Error,
+        "The file is not a scene that Feelem wrote, or is damaged."},
+    CodeInfo{
+        Code::BadPresentation,
+        "bad_presentation",
+        Severity::Error,
+        "The presentation does not follow its schema."},
+    CodeInfo{
+        Code::MeshesDiffer,
+        "meshes_differ",
+        Severity::Error,
+        "Two inputs hold different meshes under the same ids."},
     CodeInfo{
         Code::UnknownNode,
         "unknown_node",
-        Warning,
+        Severity::Warning,
         "An element uses a node that no input defines; it is left out."},
     CodeInfo{
-        Code::DuplicateNode, "duplicate_node", Warning, "A node is defined twice; the later one counts."},
+        Code::DuplicateNode,
+        "duplicate_node",
+        Severity::Warning,
+        "A node is defined twice; the later one counts."},
     CodeInfo{
         Code::DuplicateElement,
         "duplicate_element",
-        Warning,
+        Severity::Warning,
         "A solid has the same corners as an earlier one, or an id occurs twice; it is set aside."},
     CodeInfo{
         Code::InvertedElement,
         "inverted_element",
-        Warning,
+        Severity::Warning,
         "A solid has negative volume: its nodes are in mirrored order."},
     CodeInfo{
         Code::DegenerateElement,
         "degenerate_element",
-        Note,
+        Severity::Note,
         "An element repeats nodes and was read as the simpler shape it is."},
     CodeInfo{
         Code::UnknownElementType,
         "unknown_element_type",
-        Warning,
+        Severity::Warning,
         "Elements of a type that Feelem does not know are left out."},
     CodeInfo{
         Code::GuessedElementType,
         "guessed_element_type",
-        Warning,
+        Severity::Warning,
         "No type table was given: the shape was concluded from the node count and the geometry."},
     CodeInfo{
         Code::SkippedElement,
         "skipped_element",
-        Note,
+        Severity::Note,
         "Elements without a surface of their own (contact, springs) are left out."},
     CodeInfo{
         Code::MissingMidside,
         "missing_midside",
-        Note,
+        Severity::Note,
         "An element leaves out mid-side nodes; its edge is straight there."},
     CodeInfo{
         Code::MidsideInterpolated,
         "midside_interpolated",
-        Note,
+        Severity::Note,
         "A result lists corner nodes only; mid-side nodes show the mean of their edge, marked with ~."},
     CodeInfo{
         Code::FacetWithManyOwners,
         "facet_with_many_owners",
-        Warning,
+        Severity::Warning,
         "A facet has three or more owners; it is taken as inner."},
     CodeInfo{
         Code::UnmatchedFacets,
         "unmatched_facets",
-        Warning,
+        Severity::Warning,
         "Facets with the same corners differ in mid-side nodes, or a quad faces two triangles; both are "
         "kept."},
     CodeInfo{
         Code::ResultWithoutNode,
         "result_without_node",
-        Warning,
+        Severity::Warning,
         "A result lists a node or element that the mesh does not have."},
     CodeInfo{
         Code::ResultForPartOfModel,
         "result_for_part_of_model",
-        Note,
+        Severity::Note,
         "A result has values for a part of the nodes or elements only."},
-    CodeInfo{Code::EmptyResult, "empty_result", Note, "A result block holds no value; it is left out."},
+    CodeInfo{
+        Code::EmptyResult, "empty_result", Severity::Note, "A result block holds no value; it is left out."},
     CodeInfo{
         Code::NonFiniteValue,
         "non_finite_value",
-        Warning,
+        Severity::Warning,
         "NaN, infinity or *** in the file; treated as missing."},
     CodeInfo{
         Code::CoordinateSystem,
         "coordinate_system",
-        Warning,
+        Severity::Warning,
         "Values or coordinates are not in the global Cartesian system."},
     CodeInfo{
         Code::NodalSystemRotated,
         "nodal_system_rotated",
-        Note,
+        Severity::Note,
         "Values in rotated nodal systems were turned into the global one."},
     CodeInfo{
         Code::LowPrecision,
         "low_precision",
-        Note,
+        Severity::Note,
         "Coordinates have so few digits that edges may not meet exactly."},
     CodeInfo{
         Code::UnknownBlock,
         "unknown_block",
-        Note,
+        Severity::Note,
         "A block of the file is of a kind that Feelem does not use."},
-    CodeInfo{Code::UnitsUnknown, "units_unknown", Note, "The inputs do not say in which unit lengths are."},
+    CodeInfo{
+        Code::UnitsUnknown,
+        "units_unknown",
+        Severity::Note,
+        "The inputs do not say in which unit lengths are."},
     CodeInfo{
         Code::StepsLeftOut,
         "steps_left_out",
-        Note,
+        Severity::Note,
         "More steps than are shown by default; --steps all takes them all."},
     CodeInfo{
         Code::SeveralValuesAtNode,
         "several_values_at_node",
-        Note,
+        Severity::Note,
         "A node has several values (one a body, material or layer); they are kept apart."},
     CodeInfo{
         Code::TruncatedInput,
         "truncated_input",
-        Warning,
+        Severity::Warning,
         "The file ends early; what came before it is used."},
     CodeInfo{
         Code::LargeRounding,
         "large_rounding",
-        Note,
+        Severity::Note,
         "Coordinates are far from the origin; they were shifted before rounding to float."},
 };
 

@@ -325,8 +325,7 @@ constexpr std::array<ElementRow, kElementTypeCount> kTable{
 
 constexpr bool table_is_in_order() {
     for (std::size_t i = 0; i < kTable.size(); ++i) {
-        if (static_cast<std::size_t>(kTable[i].type) != i)
-            return false;
+        if (static_cast<std::size_t>(kTable[i].type) != i) return false;
     }
     return true;
 }
