@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skin/draw_facets.hpp"
+
+#include "skin/edge_table.hpp"
+#include "skin/pattern.hpp"
+#include "skin/smooth_groups.hpp"
+
+#include "feelem/error.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace feelem {
+namespace {
+
+constexpr std::uint32_t kNoVertex = 0xFFFF'FFFF;
+
+/// Appends vertices; a place in the surface's arrays for everything that happens in order of facets.
+class Drawer {
+public:
+    Drawer(const Mesh& mesh, const FacetsToDraw& drawn, const SmoothGroups& groups, Surface& surface)
+        : mesh_(mesh), drawn_(drawn), groups_(groups), surface_(surface),
+          vertex_of_group_(groups.normals.size(), kNoVertex),
+          vertex_of_point_(drawn.facets.size() * 8, kNoVertex) {}
+
+    void draw(std::uint32_t facet) {
+        const Outline& outline = drawn_.facets[facet];
+        const FacetPlaces at = places_of(outline, mesh_.coordinates);
+        std::array<std::uint32_t, kFacetPoints> vertices{};
+        if (surface_.domain == Domain::ElementNode) forget_other_elements(facet);
+        for (std::size_t k = 0; k < outline.count; ++k)
+            vertices[k] = shared_vertex(facet, k, outline.corners[k], at[k]);
+        if (outline.has_middles()) draw_middles(facet, at, vertices);
+        if (outline.count == 4) draw_centre(facet, at, vertices);
+        for (const FacetTriangle& t : pattern_of(outline)) {
+            surface_.triangles.push_back(
+                {VertexIndex{vertices[t[0]]}, VertexIndex{vertices[t[1]]}, VertexIndex{vertices[t[2]]}}
+            );
+            surface_.triangle_element.push_back(drawn_.elements[facet]);
+        }
+    }
+
+    /// Segments of a side, through its middle node if it has one.
+    void draw_side(std::uint32_t side) {
+        const Outline& outline = drawn_.facets[side / 4];
+        const std::size_t i = side % 4;
+        const auto vertex = [&](std::size_t point) {
+            return VertexIndex{vertex_of_point_[std::size_t{side / 4} * 8 + point]};
+        };
+        if (outline.middles[i] == kNoNode) {
+            surface_.edges.push_back({vertex(i), vertex(outline.after(i))});
+            return;
+        }
+        surface_.edges.push_back({vertex(i), vertex(kFirstMiddle + i)});
+        surface_.edges.push_back({vertex(kFirstMiddle + i), vertex(outline.after(i))});
+    }
+
+private:
+    /// With a vertex for each (element, node), groups are shared only among the facets of one element.
+    void forget_other_elements(std::uint32_t facet) {
+        if (facet == 0 || drawn_.elements[facet] == drawn_.elements[facet - 1]) return;
+        for (std::uint32_t f = first_of_element_; f < facet; ++f) {
+            for (std::size_t k = 0; k < 8; ++k) {
+                const std::uint32_t group = groups_.of_point[std::size_t{f} * 8 + k];
+                if (group != kNoSide) vertex_of_group_[group] = kNoVertex;
+            }
+        }
+        first_of_element_ = facet;
+    }
+
+    std::uint32_t add_vertex(
+        const Point3& at, const std::array<float, 3>& normal, NodeIndex node, ElementIndex element
+    ) {
+        if (surface_.positions.size() >= kNoVertex)
+            throw Error(Code::TooLarge, "", "more than 4 294 967 294 vertices");
+        surface_.positions.push_back(at);
+        surface_.normals.push_back(normal);
+        surface_.vertex_node.push_back(node);
+        if (surface_.domain == Domain::ElementNode) surface_.vertex_element.push_back(element);
+        return static_cast<std::uint32_t>(surface_.positions.size() - 1);
+    }
+
+    std::uint32_t shared_vertex(std::uint32_t facet, std::size_t point, NodeIndex node, const Point3& at) {
+        const std::size_t number = std::size_t{facet} * 8 + point;
+        const std::uint32_t group = groups_.of_point[number];
+        std::uint32_t& vertex = vertex_of_group_[group];
+        if (vertex == kNoVertex)
+            vertex = add_vertex(at, groups_.normals[group], node, drawn_.elements[facet]);
+        vertex_of_point_[number] = vertex;
+        return vertex;
+    }
+
+    void draw_middles(
+        std::uint32_t facet, const FacetPlaces& at, std::array<std::uint32_t, kFacetPoints>& vertices
+    ) {
+        const Outline& outline = drawn_.facets[facet];
+        for (std::size_t i = 0; i < outline.count; ++i) {
+            const std::size_t point = kFirstMiddle + i;
+            const std::size_t before = surface_.positions.size();
+            vertices[point] = shared_vertex(facet, point, outline.middles[i], at[point]);
+            const bool is_new = surface_.positions.size() > before;
+            if (is_new && outline.middles[i] == kNoNode)
+                add_blend(vertices[point], blend_of_middle(outline, i), vertices);
+        }
+    }
+
+    void draw_centre(
+        std::uint32_t facet, const FacetPlaces& at, std::array<std::uint32_t, kFacetPoints>& vertices
+    ) {
+        const Outline& outline = drawn_.facets[facet];
+        Point3 normal{};
+        for (const FacetTriangle& t : pattern_of(outline)) {
+            const Point3 area = area_vector(at[t[0]], at[t[1]], at[t[2]]);
+            for (std::size_t axis = 0; axis < 3; ++axis) normal[axis] += area[axis];
+        }
+        vertices[kCentre] = add_vertex(at[kCentre], unit(normal), outline.centre, drawn_.elements[facet]);
+        if (outline.centre == kNoNode) add_blend(vertices[kCentre], blend_of_centre(outline), vertices);
+    }
+
+    void add_blend(
+        std::uint32_t vertex,
+        const WeightedPoints& blend,
+        const std::array<std::uint32_t, kFacetPoints>& vertices
+    ) {
+        surface_.blends.push_back(
+            {VertexIndex{vertex},
+             static_cast<std::uint32_t>(surface_.blend_sources.size()),
+             static_cast<std::uint32_t>(blend.count)}
+        );
+        for (std::size_t i = 0; i < blend.count; ++i) {
+            surface_.blend_sources.push_back(VertexIndex{vertices[blend.points[i]]});
+            surface_.blend_weights.push_back(blend.weights[i]);
+        }
+    }
+
+    const Mesh& mesh_;
+    const FacetsToDraw& drawn_;
+    const SmoothGroups& groups_;
+    Surface& surface_;
+    std::vector<std::uint32_t> vertex_of_group_;
+    std::vector<std::uint32_t> vertex_of_point_;
+    std::uint32_t first_of_element_ = 0;
+};
+
+/// Per side: whether it draws its edge, which is so for the first one in each piece.
+std::vector<bool> drawing_sides(const FacetsToDraw& drawn, const EdgeTable& edges) {
+    std::vector<std::uint32_t> piece_of(drawn.facets.size());
+    for (std::uint32_t piece = 0; piece < drawn.pieces.size(); ++piece) {
+        for (std::uint32_t f = drawn.piece_first[piece]; f < drawn.piece_first[piece + 1]; ++f)
+            piece_of[f] = piece;
+    }
+    std::vector<bool> draws(edges.next.size());
+    for (const std::uint32_t first : edges.first) {
+        draws[first] = true;
+        for (std::uint32_t side = first; edges.next[side] != kNoSide; side = edges.next[side]) {
+            const std::uint32_t next = edges.next[side];
+            if (piece_of[facet_of_side(next)] != piece_of[facet_of_side(side)]) draws[next] = true;
+        }
+    }
+    return draws;
+}
+
+bool is_closed(const FacetsToDraw& drawn, const EdgeTable& edges) {
+    std::vector<bool> is_solid(drawn.facets.size());
+    for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {
+        for (std::uint32_t f = drawn.piece_first[piece]; f < drawn.piece_first[piece + 1]; ++f)
+            is_solid[f] = drawn.pieces[piece].kind == PartKind::Solid;
+    }
+    for (const std::uint32_t first : edges.first) {
+        std::int64_t balance = 0;
+        for (std::uint32_t side = first; side != kNoSide; side = edges.next[side]) {
+            if (is_solid[facet_of_side(side)]) balance += runs_up(drawn.facets, side) ? 1 : -1;
+        }
+        if (balance != 0) return false;
+    }
+    return true;
+}
+
+/// Distinct (part, node) on the facets; pieces of one part follow each other.
+std::uint64_t count_part_nodes(const Mesh& mesh, const FacetsToDraw& drawn) {
+    std::vector<bool> seen(mesh.node_count());
+    std::uint64_t count = 0;
+    const auto for_each_node = [&](std::size_t piece, auto visit) {
+        for (std::uint32_t f = drawn.piece_first[piece]; f < drawn.piece_first[piece + 1]; ++f) {
+            const Outline& facet = drawn.facets[f];
+            for (std::size_t i = 0; i < facet.count; ++i) {
+                visit(facet.corners[i]);
+                visit(facet.middles[i]);
+            }
+            visit(facet.centre);
+        }
+    };
+    std::size_t first_of_part = 0;
+    for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {
+        for_each_node(piece, [&](NodeIndex node) {
+            if (node == kNoNode || seen[raw(node)]) return;
+            seen[raw(node)] = true;
+            ++count;
+        });
+        const bool part_ends =
+            piece + 1 == drawn.pieces.size() || drawn.pieces[piece + 1].part != drawn.pieces[piece].part;
+        if (!part_ends) continue;
+        for (; first_of_part <= piece; ++first_of_part) {
+            for_each_node(first_of_part, [&](NodeIndex node) {
+                if (node != kNoNode) seen[raw(node)] = false;
+            });
+        }
+    }
+    return count;
+}
+
+void measure(Surface& surface) {
+    SkinReport& report = surface.report;
+    if (surface.positions.empty()) return;
+    // Volumes are taken from a vertex, not from the model's origin, which may be far away.
+    const Point3 origin = surface.positions.front();
+    for (const SurfacePart& part : surface.parts) {
+        for (std::uint32_t i = part.first_triangle; i < part.first_triangle + part.triangle_count; ++i) {
+            const auto& t = surface.triangles[i];
+            const Point3 a = minus(surface.positions[raw(t[0])], origin);
+            const Point3 b = minus(surface.positions[raw(t[1])], origin);
+            const Point3 c = minus(surface.positions[raw(t[2])], origin);
+            const Point3 area = area_vector(a, b, c);
+            report.area += std::sqrt(dot(area, area)) / 2;
+            if (part.kind == PartKind::Solid) report.volume += dot(a, cross(b, c)) / 6;
+        }
+    }
+    report.triangles = surface.triangles.size();
+}
+
+}  // namespace
+
+void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, double crease_angle, Surface& surface) {
+    const EdgeTable edges = find_edges(drawn.facets);
+    const SmoothGroups groups =
+        find_smooth_groups(drawn.facets, drawn.piece_first, edges, mesh.coordinates, crease_angle);
+    const std::vector<bool> draws = drawing_sides(drawn, edges);
+    Drawer drawer(mesh, drawn, groups, surface);
+    const auto size = [](const auto& values) { return static_cast<std::uint32_t>(values.size()); };
+    for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {
+        SurfacePart part;
+        part.part = drawn.pieces[piece].part;
+        part.kind = drawn.pieces[piece].kind;
+        part.first_vertex = size(surface.positions);
+        part.first_triangle = size(surface.triangles);
+        part.first_edge = size(surface.edges);
+        const std::uint32_t first = drawn.piece_first[piece];
+        const std::uint32_t last = drawn.piece_first[piece + 1];
+        for (std::uint32_t f = first; f < last; ++f) drawer.draw(f);
+        for (std::uint32_t side = first * 4; side < last * 4; ++side) {
+            if (draws[side]) drawer.draw_side(side);
+        }
+        part.vertex_count = size(surface.positions) - part.first_vertex;
+        part.triangle_count = size(surface.triangles) - part.first_triangle;
+        part.edge_count = size(surface.edges) - part.first_edge;
+        surface.parts.push_back(part);
+    }
+    surface.report.vertices = count_part_nodes(mesh, drawn);
+    surface.report.closed = surface.report.has_solids && is_closed(drawn, edges);
+    measure(surface);
+}
+
+}  // namespace feelem

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Must: find exactly the facets with one owner, in element order, whatever the thread count, in little
+// memory. Assumes: both owners of a facet name the same nodes, and wind round it in opposite directions.
+// Algorithm: pass 1 adds each facet's signed hash (facet_hash.hpp) at its smallest corner; a facet with two
+// owners cancels, so that only nodes on the skin keep a rest. Pass 2 looks at the facets of those nodes alone
+// and matches them exactly by their corners (facet_match.cpp). Duplicates, inverted elements, third owners
+// and unequal mid-side nodes do not cancel either, so that finding them costs nothing where there are none. A
+// facet is missed only if the hashes at a node add up to zero by chance: 2^-64 a node.
+// Data: 8 bytes a node in pass 1, 1 bit a node and 32 bytes a candidate in pass 2.
+#include "skin/facet_cancellation.hpp"
+
+#include "base/parallel.hpp"
+#include "skin/facet_hash.hpp"
+#include "skin/facet_match.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <utility>
+
+namespace feelem {
+namespace {
+
+constexpr std::size_t kChunk = 1U << 14U;
+
+/// A block of solids and where its elements start in the mesh.
+struct SolidBlock {
+    const ElementBlock* block = nullptr;
+    const ElementRow* row = nullptr;
+    std::uint8_t index = 0;
+    std::size_t first_element = 0;
+
+    std::span<const NodeIndex> nodes(std::size_t position) const {
+        return std::span(block->nodes).subspan(position * row->node_count, row->node_count);
+    }
+};
+
+std::vector<SolidBlock> solid_blocks(const Mesh& mesh) {
+    std::vector<SolidBlock> out;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < mesh.blocks.size(); ++i) {
+        const ElementRow& row = element_row(mesh.blocks[i].type);
+        if (row.dimension == 3) out.push_back({&mesh.blocks[i], &row, static_cast<std::uint8_t>(i), first});
+        first += mesh.blocks[i].ids.size();
+    }
+    return out;
+}
+
+bool is_set_aside(const std::vector<bool>& set_aside, const SolidBlock& solids, std::size_t position) {
+    return !set_aside.empty() && set_aside[solids.first_element + position];
+}
+
+/// One bit a node: whether a hash is left there.
+class NodeMarks {
+public:
+    explicit NodeMarks(const std::vector<std::uint64_t>& sums) : words_((sums.size() + 63) / 64) {
+        parallel_chunks(words_.size(), kChunk, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                const std::size_t end = std::min(sums.size(), (i + 1) * 64);
+                std::uint64_t word = 0;
+                for (std::size_t node = i * 64; node < end; ++node)
+                    word |= std::uint64_t{sums[node] != 0} << (node % 64);
+                words_[i] = word;
+            }
+        });
+    }
+
+    bool operator()(std::uint32_t node) const { return (words_[node / 64] >> (node % 64)) & 1U; }
+
+    bool any(std::span<const NodeIndex> nodes) const {
+        std::uint64_t marked = 0;
+        for (const NodeIndex node : nodes) marked |= words_[raw(node) / 64] >> (raw(node) % 64);
+        return (marked & 1U) != 0;
+    }
+
+private:
+    std::vector<std::uint64_t> words_;
+};
+
+NodeMarks nodes_with_a_rest(
+    const Mesh& mesh,
+    const std::vector<SolidBlock>& blocks,
+    const std::vector<bool>& set_aside,
+    OuterFacets& found
+) {
+    std::vector<std::uint64_t> sums(mesh.node_count());
+    std::atomic<std::uint64_t> collapsed{0};
+    std::atomic<std::uint64_t> of_set_aside{0};
+    for (const SolidBlock& solids : blocks) {
+        const auto facets = facets_of(solids.block->type);
+        found.in += solids.block->ids.size() * facets.size();
+        parallel_chunks(solids.block->ids.size(), kChunk, [&](std::size_t first, std::size_t last) {
+            std::uint64_t collapsed_here = 0;
+            for (std::size_t i = first; i < last; ++i) {
+                if (is_set_aside(set_aside, solids, i)) {
+                    of_set_aside.fetch_add(facets.size(), std::memory_order_relaxed);
+                    continue;
+                }
+                const auto nodes = solids.nodes(i);
+                for (const FacetRow& facet : facets) {
+                    const FacetHash hash = facet_hash::of(facet, nodes);
+                    if (hash.value == 0) {
+                        ++collapsed_here;
+                        continue;
+                    }
+                    std::atomic_ref(sums[hash.lowest]).fetch_add(hash.value, std::memory_order_relaxed);
+                }
+            }
+            collapsed.fetch_add(collapsed_here, std::memory_order_relaxed);
+        });
+    }
+    found.collapsed = collapsed;
+    found.of_set_aside = of_set_aside;
+    return NodeMarks(sums);
+}
+
+std::vector<FacetCandidate> candidates_at(
+    const NodeMarks& marks, const std::vector<SolidBlock>& blocks, const std::vector<bool>& set_aside
+) {
+    std::vector<FacetCandidate> all;
+    for (const SolidBlock& solids : blocks) {
+        const auto facets = facets_of(solids.block->type);
+        const std::size_t count = solids.block->ids.size();
+        std::vector<std::vector<FacetCandidate>> found((count + kChunk - 1) / kChunk);
+        parallel_chunks(count, kChunk, [&](std::size_t first, std::size_t last) {
+            std::vector<FacetCandidate>& here = found[first / kChunk];
+            for (std::size_t i = first; i < last; ++i) {
+                const auto nodes = solids.nodes(i);
+                if (!marks.any(nodes.first(solids.row->corner_count)) || is_set_aside(set_aside, solids, i))
+                    continue;
+                for (std::size_t facet = 0; facet < facets.size(); ++facet) {
+                    const FacetHash hash = facet_hash::of(facets[facet], nodes);
+                    if (hash.value == 0 || !marks(hash.lowest)) continue;
+                    const FacetRef ref{
+                        static_cast<std::uint32_t>(i), solids.index, static_cast<std::uint8_t>(facet)};
+                    here.push_back({sorted_corners(outline_of(facets[facet], nodes)), hash.value, ref});
+                }
+            }
+        });
+        for (std::vector<FacetCandidate>& part : found) {
+            all.insert(all.end(), part.begin(), part.end());
+            part = {};
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+OuterFacets find_outer_facets(const Mesh& mesh, const std::vector<bool>& set_aside) {
+    OuterFacets found;
+    const std::vector<SolidBlock> blocks = solid_blocks(mesh);
+    std::vector<FacetCandidate> candidates;
+    {
+        const NodeMarks marks = nodes_with_a_rest(mesh, blocks, set_aside, found);
+        candidates = candidates_at(marks, blocks, set_aside);
+    }
+    match_facets(mesh, candidates, found);
+    found.inner = found.in - found.outer.size() - found.many_owners - found.collapsed - found.of_set_aside;
+    return found;
+}
+
+}  // namespace feelem

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Must: be exact, and find out why owners do not agree. Assumes: see the header.
+// Algorithm: a hash table of the first candidate of each facet, with the number and sum of its owners; one
+// owner is outer, two that add up to 0 are inner, all others are looked at one by one. Then quads whose place
+// is taken by two triangles. Data: 12 bytes a candidate and the table.
+#include "skin/facet_match.hpp"
+
+#include "skin/facet_hash.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+#include <vector>
+
+namespace feelem {
+namespace {
+
+std::size_t place_of(const FacetKey& key, std::size_t mask) noexcept {
+    using namespace facet_hash;
+    const std::uint64_t low = pair(raw(key[0]), raw(key[1]));
+    const std::uint64_t high = pair(raw(key[2]), raw(key[3]));
+    return static_cast<std::size_t>(fold(low ^ kPair, high ^ kTriangle)) & mask;
+}
+
+std::size_t table_size(std::size_t entries) {
+    return std::bit_ceil(entries * 2 + 1);
+}
+
+/// What the candidates with the same corners have in common, kept at the first of them.
+struct Group {
+    std::uint32_t owners = 0;
+    std::uint64_t sum = 0;
+
+    bool is_outer() const { return owners == 1; }
+    bool is_inner() const { return owners == 2 && sum == 0; }
+};
+
+struct Groups {
+    std::vector<std::uint32_t> first;  ///< Per candidate: the first one with its corners.
+    std::vector<Group> at;             ///< Per candidate; filled at the first ones.
+};
+
+Groups group(std::span<const FacetCandidate> candidates) {
+    Groups groups;
+    groups.first.resize(candidates.size());
+    groups.at.resize(candidates.size());
+    std::vector<std::uint32_t> table(table_size(candidates.size()));  // candidate + 1; 0: free
+    const std::size_t mask = table.size() - 1;
+    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+        std::size_t place = place_of(candidates[i].key, mask);
+        while (table[place] != 0 && candidates[table[place] - 1].key != candidates[i].key)
+            place = (place + 1) & mask;
+        if (table[place] == 0) table[place] = i + 1;
+        groups.first[i] = table[place] - 1;
+        Group& mine = groups.at[groups.first[i]];
+        ++mine.owners;
+        mine.sum += candidates[i].hash;
+    }
+    return groups;
+}
+
+bool have_same_corners(const Mesh& mesh, FacetRef a, FacetRef b) {
+    const auto corners = [&](FacetRef ref) {
+        const auto nodes =
+            element_nodes(mesh, ref).first(element_row(mesh.blocks[ref.block].type).corner_count);
+        std::vector<NodeIndex> sorted(nodes.begin(), nodes.end());
+        std::ranges::sort(sorted);
+        sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+        return sorted;
+    };
+    return corners(a) == corners(b);
+}
+
+bool is_same_element(FacetRef a, FacetRef b) {
+    return a.block == b.block && a.position == b.position;
+}
+
+/// Owners that do not cancel. Returns whether they are kept.
+bool judge(const Mesh& mesh, std::span<const FacetRef> owners, OuterFacets& found) {
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+        for (std::size_t k = i + 1; k < owners.size(); ++k) {
+            if (is_same_element(owners[i], owners[k]) || !have_same_corners(mesh, owners[i], owners[k]))
+                continue;
+            found.duplicates = true;
+            return false;
+        }
+    }
+    if (owners.size() > 2) {
+        found.many_owners += owners.size();
+        return false;
+    }
+    const Outline first = outline_of(mesh, owners[0]);
+    const Outline second = outline_of(mesh, owners[1]);
+    if (!same_middles(first, second)) {
+        found.unmatched += 2;
+        return true;
+    }
+    if (facet_hash::of(first).value + facet_hash::of(second).value != 0) found.same_winding = true;
+    return false;
+}
+
+/// Decides on the groups that are neither outer nor inner: flags, per candidate, those that are kept.
+std::vector<bool> judge_all(
+    const Mesh& mesh, std::span<const FacetCandidate> candidates, const Groups& groups, OuterFacets& found
+) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> special;  // (first, candidate)
+    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+        const Group& mine = groups.at[groups.first[i]];
+        if (!mine.is_outer() && !mine.is_inner()) special.emplace_back(groups.first[i], i);
+    }
+    std::vector<bool> kept;
+    if (special.empty()) return kept;
+    kept.resize(candidates.size());
+    std::ranges::sort(special);
+    std::vector<FacetRef> owners;
+    for (std::size_t i = 0; i < special.size() && !found.duplicates;) {
+        owners.clear();
+        std::size_t end = i;
+        for (; end < special.size() && special[end].first == special[i].first; ++end)
+            owners.push_back(candidates[special[end].second].ref);
+        if (judge(mesh, owners, found)) {
+            for (std::size_t k = i; k < end; ++k) kept[special[k].second] = true;
+        }
+        i = end;
+    }
+    return kept;
+}
+
+/// Corners of outer triangles, to be asked for.
+class TriangleSet {
+public:
+    explicit TriangleSet(std::vector<FacetKey> keys) : keys_(std::move(keys)) { std::ranges::sort(keys_); }
+    bool has(NodeIndex a, NodeIndex b, NodeIndex c) const {
+        FacetKey key{a, b, c, kNoNode};
+        std::ranges::sort(key);
+        return std::ranges::binary_search(keys_, key);
+    }
+
+private:
+    std::vector<FacetKey> keys_;
+};
+
+/// Quads that two outer triangles with the same corners lie against.
+std::uint64_t count_quads_facing_triangles(const Mesh& mesh, const OuterFacets& found) {
+    std::vector<FacetKey> triangles;
+    bool has_quads = false;
+    for (const FacetRef ref : found.outer) {
+        const Outline outline = outline_of(mesh, ref);
+        if (outline.count == 3) triangles.push_back(sorted_corners(outline));
+        has_quads = has_quads || outline.count == 4;
+    }
+    if (triangles.empty() || !has_quads) return 0;
+    const TriangleSet set(std::move(triangles));
+    std::uint64_t count = 0;
+    for (const FacetRef ref : found.outer) {
+        const Outline outline = outline_of(mesh, ref);
+        if (outline.count != 4) continue;
+        const auto& [a, b, c, d] = outline.corners;
+        if ((set.has(a, b, c) && set.has(a, c, d)) || (set.has(a, b, d) && set.has(b, c, d))) ++count;
+    }
+    return count;
+}
+
+}  // namespace
+
+FacetKey sorted_corners(const Outline& outline) noexcept {
+    FacetKey key = outline.corners;
+    std::ranges::sort(key);
+    return key;
+}
+
+void match_facets(const Mesh& mesh, std::span<const FacetCandidate> candidates, OuterFacets& found) {
+    const Groups groups = group(candidates);
+    const std::vector<bool> kept = judge_all(mesh, candidates, groups, found);
+    if (found.duplicates) return;
+    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+        if (groups.at[groups.first[i]].is_outer() || (!kept.empty() && kept[i]))
+            found.outer.push_back(candidates[i].ref);
+    }
+    // A quad and the two triangles before it are three facets.
+    found.unmatched += 3 * count_quads_facing_triangles(mesh, found);
+}
+
+}  // namespace feelem

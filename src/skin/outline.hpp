@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// One side of one element as it really is: without repeated corners, with the mid-side nodes that exist.
+#pragma once
+
+#include "feelem/element_type.hpp"
+#include "feelem/ids.hpp"
+#include "feelem/mesh.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace feelem {
+
+/// Which side of which element: what the skin keeps of a facet until it is drawn.
+struct FacetRef {
+    std::uint32_t position = 0;  ///< Of the element within its block.
+    std::uint8_t block = 0;
+    std::uint8_t facet = 0;
+    bool flipped = false;  ///< The element is inverted: turn the facet round so that it looks outward.
+};
+static_assert(sizeof(FacetRef) == 8);
+
+struct Outline {
+    std::array<NodeIndex, 4> corners{kNoNode, kNoNode, kNoNode, kNoNode};
+    /// Middle i lies between corner i and the next one; kNoNode: the side is straight.
+    std::array<NodeIndex, 4> middles{kNoNode, kNoNode, kNoNode, kNoNode};
+    NodeIndex centre = kNoNode;
+    std::uint8_t count = 0;  ///< Corners: 3, 4, or 0 when fewer than three differ.
+
+    bool has_middles() const noexcept;
+    std::size_t after(std::size_t corner) const noexcept { return corner + 1 == count ? 0 : corner + 1; }
+};
+
+/// `row` is a facet of the element's type.
+Outline outline_of(const FacetRow& row, std::span<const NodeIndex> element_nodes) noexcept;
+/// The facet that `ref` names, turned round when it is flipped.
+Outline outline_of(const Mesh& mesh, FacetRef ref) noexcept;
+/// Nodes of the element that `ref` names.
+std::span<const NodeIndex> element_nodes(const Mesh& mesh, FacetRef ref) noexcept;
+
+/// Whether the outlines, which have the same corners, have the same middles between them.
+bool same_middles(const Outline& a, const Outline& b) noexcept;
+
+}  // namespace feelem
