@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arrays streamed into the buffers of a scene: one bufferView and one named accessor each, with bounds and
+// digest made on the way.
+#pragma once
+
+#include "base/sha256.hpp"
+#include "scene/gltf.hpp"
+#include "scene/scratch_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace feelem {
+
+struct Digest {
+    std::string accessor;
+    std::string sha256;
+};
+
+struct ArraySpec {
+    std::string name;
+    unsigned components = 1;
+    std::uint64_t count = 0;
+    int target = 0;
+    bool bounds = true;  ///< min and max in the accessor.
+};
+
+/// One array after the other, into any buffer of the document. Memory: one block.
+class ArrayWriter {
+public:
+    explicit ArrayWriter(gltf::Document& document) : document_(&document) {}
+
+    /// Later arrays go to this buffer (one of document.buffers).
+    void direct_to(int buffer, ScratchFile& file) {
+        buffer_ = buffer;
+        file_ = &file;
+    }
+    /// fill(row, float* out) gives each row. Returns the accessor's index.
+    template <class Fill>
+    int floats(const ArraySpec& spec, const Fill& fill) {
+        begin(spec, gltf::kFloat);
+        std::array<float, 3> row{};
+        for (std::uint64_t i = 0; i < spec.count; ++i) {
+            fill(static_cast<std::size_t>(i), row.data());
+            for (unsigned c = 0; c < spec.components; ++c) {
+                // Bounds count -0 as 0: both compare equal, and JSON readers differ on -0.
+                low_[c] = std::min(low_[c], row[c]);
+                high_[c] = std::max(high_[c], row[c]);
+            }
+            put(std::as_bytes(std::span(row).first(spec.components)));
+        }
+        return end(spec);
+    }
+    /// fill(row) gives an unsigned number; as shorts when `most` allows it (65535 is the restart value).
+    template <class Fill>
+    int indices(const ArraySpec& spec, std::uint32_t most, const Fill& fill) {
+        const bool is_short = most < 65535;
+        begin(spec, is_short ? gltf::kUnsignedShort : gltf::kUnsignedInt);
+        for (std::uint64_t i = 0; i < spec.count; ++i) {
+            const std::uint32_t number = fill(static_cast<std::size_t>(i));
+            const auto narrow = static_cast<std::uint16_t>(number);
+            if (is_short)
+                put(std::as_bytes(std::span(&narrow, 1)));
+            else
+                put(std::as_bytes(std::span(&number, 1)));
+        }
+        return end(spec);
+    }
+    /// A file as it is (a picture): a bufferView without accessor; its index.
+    int blob(std::span<const std::byte> bytes);
+
+    std::vector<Digest>& digests() noexcept { return digests_; }
+
+private:
+    void begin(const ArraySpec& spec, int component_type);
+    int end(const ArraySpec& spec);
+    void put(std::span<const std::byte> bytes) {
+        if (block_.size() + bytes.size() > kBlock) flush();
+        block_.insert(block_.end(), bytes.begin(), bytes.end());
+    }
+    void flush();
+
+    static constexpr std::size_t kBlock = 1u << 16;
+    gltf::Document* document_;
+    int buffer_ = 0;
+    ScratchFile* file_ = nullptr;
+    std::vector<std::byte> block_;
+    std::unique_ptr<Sha256> digest_;
+    std::array<float, 3> low_{}, high_{};
+    std::vector<Digest> digests_;
+};
+
+}  // namespace feelem

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/scratch_file.hpp"
+
+#include "feelem/error.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace feelem {
+
+ScratchFile::ScratchFile(std::string path, Kind kind) : path_(std::move(path)) {
+    const std::string name = kind == Kind::Named ? path_ : path_ + ".bin.tmp-" + std::to_string(getpid());
+    file_ = std::fopen(name.c_str(), "w+b");
+    if (file_ == nullptr) fail("create");
+    if (kind == Kind::Unnamed && std::remove(name.c_str()) != 0) fail("create");
+}
+
+ScratchFile::~ScratchFile() {
+    if (file_ != nullptr) std::fclose(file_);
+}
+
+void ScratchFile::write(std::span<const std::byte> bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("write");
+    size_ += bytes.size();
+}
+
+void ScratchFile::pad_to(std::uint64_t multiple) {
+    constexpr std::array<std::byte, 16> kZeros{};
+    const std::uint64_t rest = size_ % multiple;
+    if (rest != 0) write(std::span(kZeros).first(static_cast<std::size_t>(multiple - rest)));
+}
+
+void ScratchFile::copy_to(AtomicFile& file) {
+    if (std::fseek(file_, 0, SEEK_SET) != 0) fail("read back");
+    std::vector<std::byte> block(1u << 18);
+    std::uint64_t left = size_;
+    while (left > 0) {
+        const std::size_t got = std::fread(block.data(), 1, block.size(), file_);
+        if (got == 0) fail("read back");
+        file.write(std::span<const std::byte>(block).first(got));
+        left -= got;
+    }
+}
+
+void ScratchFile::finish() {
+    if (std::fflush(file_) != 0 || fsync(fileno(file_)) != 0) fail("write");
+}
+
+void ScratchFile::fail(const char* doing) const {
+    throw Error(
+        Code::WriteFailed,
+        path_,
+        std::string("cannot ") + doing + " the file: " + std::strerror(errno) +
+            ". Is the folder there and writable, and the disk not full?"
+    );
+}
+
+}  // namespace feelem

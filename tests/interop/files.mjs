@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes that the tests wrote, packages of the page, and a count of what held.
+import { createRequire } from 'node:module';
+import { readdirSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+export const require = createRequire(join(root, 'web', 'package.json'));
+
+/** All scenes below a folder, but for those in folders named "broken". */
+export function scenesIn(folder) {
+  const found = [];
+  for (const entry of readdirSync(folder, { withFileTypes: true })) {
+    const path = join(folder, entry.name);
+    if (entry.isDirectory() && entry.name !== 'broken') found.push(...scenesIn(path));
+    else if (entry.isFile() && /\.(glb|gltf)$/.test(entry.name)) found.push(path);
+  }
+  return found.sort();
+}
+
+/** Ends the program: failures are listed, and nothing checked is a failure too. */
+export function finish(checked, failures) {
+  for (const failure of failures) console.error(failure);
+  console.log(`${checked} checked, ${failures.length} failed`);
+  process.exit(failures.length > 0 || checked === 0 ? 1 : 0);
+}
