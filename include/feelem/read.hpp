@@ -29,7 +29,8 @@ struct ReadFormatInfo {
 };
 std::vector<ReadFormatInfo> read_formats();
 
-/// Opens the files (or folders) of one model. Throws Error when none can be used.
+/// Opens the files (or folders) of one model. Throws Error when none can be used. `diagnostics` must outlive
+/// the model: load() reports there, once a result, what only the values show (NaN, unknown nodes).
 std::unique_ptr<ModelSource> open_model(
     std::span<const std::string> paths, const ReadOptions& options, Diagnostics& diagnostics
 );

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of readers: a new one is a folder beside this file and one line here.
+#include "read/calculix/calculix_frd.hpp"
 #include "read/read_format.hpp"
 
 #include <vector>
@@ -7,8 +8,9 @@
 namespace feelem {
 
 std::span<const ReadFormat> read_format_list() {
-    // One line a reader: `calculix_frd_format(),` declared by its own header.
-    static const std::vector<ReadFormat> list{};
+    static const std::vector<ReadFormat> list{
+        calculix_frd_format(),
+    };
     return list;
 }
 
