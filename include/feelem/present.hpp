@@ -50,6 +50,7 @@ struct ColourEffect {
     int bands = 9;  ///< 0: continuous.
     bool invert = false;
     Rgb above{255, 0, 255}, below{255, 255, 0}, missing{128, 128, 128};
+    friend bool operator==(const ColourEffect&, const ColourEffect&) = default;
 };
 /// The effect's colour at t in 0..1 of the range: bands and inversion applied. Outer bands take the map's
 /// ends.
@@ -67,6 +68,7 @@ struct PitchEffect {
     bool invert = false;
     Quantise quantise = Quantise::None;
     bool sign_timbre = true;  ///< Negative values of Scale::Signed sound hollow.
+    friend bool operator==(const PitchEffect&, const PitchEffect&) = default;
 };
 /// Amplitudes of the harmonics 1..4 of the tone, and of the hollow tone of negative values.
 inline constexpr std::array<double, 4> kTonePartials{1, 0.5, 0.25, 0.125};
@@ -81,6 +83,7 @@ Tone tone_of(double value, const ValueRange& range, const PitchEffect& effect);
 struct TickEffect {
     double rate_low = 1.5, rate_high = 12;  ///< Hz
     bool invert = false;
+    friend bool operator==(const TickEffect&, const TickEffect&) = default;
 };
 /// Ticks a second; 0 when missing.
 double tick_rate_of(double value, const ValueRange& range, const TickEffect& effect);
@@ -90,6 +93,7 @@ struct PulseEffect {
     double amplitude_min = 0.15;
     double milliseconds = 35;
     bool invert = false;
+    friend bool operator==(const PulseEffect&, const PulseEffect&) = default;
 };
 struct Pulse {
     double rate = 0;       ///< Hz; 0 when missing.
@@ -97,21 +101,26 @@ struct Pulse {
 };
 Pulse pulse_of(double value, const ValueRange& range, const PulseEffect& effect);
 
-/// What the presentation (senses.md 6.10) says of a result.
+/// What the presentation (docs/effects.md) says of a result. Numbers are in the result's unit.
 struct PresentedResult {
-    std::string key;   ///< "T"
-    std::string name;  ///< "temperature"
+    std::string key{};   ///< "T"
+    std::string name{};  ///< "temperature"
     std::string component = "value";
     std::string location = "nodal";
-    std::string unit;
-    std::string range_mode = "auto";  ///< auto allSteps percentile manual
-    std::optional<double> lo, hi;
+    std::string averaging{};  ///< Empty: not said.
+    std::string unit{};
+    std::string range_mode = "auto";   ///< auto allSteps percentile manual
+    std::optional<double> lo{}, hi{};  ///< Set by the user (manual) or by the converter.
     Scale scale = Scale::Linear;
+    bool symmetric = false;  ///< lo = -hi, made by the converter.
     std::array<double, 2> percentile{0.5, 99.5};
-    std::optional<double> limit;
-    std::string limit_label;
+    std::optional<double> limit{};
+    bool limit_is_upper = true;  ///< Alarm above the limit, else below.
+    std::string limit_label{};
+    friend bool operator==(const PresentedResult&, const PresentedResult&) = default;
 };
 
+/// What an effect drives. Each slot has room for one result.
 enum class Sense : std::uint8_t {
     Colour,
     Pitch,
@@ -119,19 +128,23 @@ enum class Sense : std::uint8_t {
     Pulses,
     Shape
 };
+/// Only the member that `sense` names means anything; `ticks` of a pulse effect is its fallback.
 struct PresentedEffect {
-    std::string result;  ///< A PresentedResult's key.
+    std::string result{};  ///< A PresentedResult's key.
     Sense sense = Sense::Colour;
-    ColourEffect colour;
-    PitchEffect pitch;
-    TickEffect ticks;
-    PulseEffect pulses;
+    ColourEffect colour{};
+    PitchEffect pitch{};
+    TickEffect ticks{};
+    PulseEffect pulses{};
+    bool falls_back_to_ticks = true;  ///< Sense::Pulses, where there is no actuator.
+    friend bool operator==(const PresentedEffect&, const PresentedEffect&) = default;
 };
 
 struct Presentation {
     std::string title;
     std::vector<PresentedResult> results;
     std::vector<PresentedEffect> effects;
+    std::vector<std::string> card;             ///< Keys in the order of the probe card; empty: all results.
     std::string deformation_result;            ///< Key; empty: none.
     std::optional<double> deformation_factor;  ///< Empty: 5 % of the largest side.
     std::optional<std::array<int, 3>> step;    ///< input, step, substep
@@ -140,14 +153,18 @@ struct Presentation {
 
 /// Throws Error(BadPresentation) with the path of the key: "effects[1].result: no result has the key 'X'".
 Presentation parse_presentation(std::string_view json, std::string_view name);
+/// The document `presentation.json` with what has changed since put in; a full one where there is none.
 std::string presentation_json(const Presentation& presentation);
+/// The range as the mappings take it; lo and hi must be set.
+ValueRange value_range(const PresentedResult& result);
 
 /// One result that could be shown, for the automatic choice.
 struct Candidate {
-    std::string name;       ///< "temperature"
-    std::string component;  ///< "value", "magnitude", "von_mises"
-    std::string unit;
-    bool has_sign = false;  ///< Values on both sides of zero.
+    std::string name{};       ///< "temperature"
+    std::string component{};  ///< "value", "magnitude", "von_mises"
+    std::string unit{};
+    bool has_sign = false;     ///< Values on both sides of zero.
+    bool mostly_zero = false;  ///< More than half of the values are exactly zero.
 };
 /// senses.md 6.7, 6.8: effects for the 1 to 4 most telling candidates; displacement also drives the shape.
 Presentation choose_presentation(std::span<const Candidate> candidates, std::string_view title);
