@@ -17,7 +17,7 @@
 namespace feelem {
 namespace {
 
-constexpr const char* kHint = " Are the files of one model?";
+constexpr const char* kOneModelHint = " Are the files of one model?";
 
 double largest_coordinate(const Mesh& mesh) {
     double largest = 0;
@@ -29,7 +29,7 @@ double largest_coordinate(const Mesh& mesh) {
     return largest;
 }
 
-bool near(const Point3& a, const Point3& b, double tolerance) {
+bool same_place(const Point3& a, const Point3& b, double tolerance) {
     for (std::size_t i = 0; i < 3; ++i) {
         const bool gaps = std::isnan(a[i]) && std::isnan(b[i]);
         if (!gaps && !(a[i] == b[i] || std::abs(a[i] - b[i]) <= tolerance)) return false;
@@ -43,7 +43,10 @@ void check_same_nodes(const Mesh& first, const Mesh& second, const std::string& 
             Code::MeshesDiffer,
             name,
             fmt::format(
-                "has {} nodes, the inputs before it {}.{}", second.node_count(), first.node_count(), kHint
+                "has {} nodes, the inputs before it {}.{}",
+                second.node_count(),
+                first.node_count(),
+                kOneModelHint
             )
         );
     }
@@ -57,13 +60,13 @@ void check_same_nodes(const Mesh& first, const Mesh& second, const std::string& 
                     "has node {} where the inputs before it have node {}.{}",
                     raw(second.node_ids[i]),
                     raw(first.node_ids[i]),
-                    kHint
+                    kOneModelHint
                 )
             );
         }
         const Point3& a = first.coordinates[i];
         const Point3& b = second.coordinates[i];
-        if (!near(a, b, tolerance)) {
+        if (!same_place(a, b, tolerance)) {
             throw Error(
                 Code::MeshesDiffer,
                 name,
@@ -76,7 +79,7 @@ void check_same_nodes(const Mesh& first, const Mesh& second, const std::string& 
                     a[0],
                     a[1],
                     a[2],
-                    kHint
+                    kOneModelHint
                 )
             );
         }
@@ -94,7 +97,7 @@ void check_same_block(const ElementBlock& a, const ElementBlock& b, const std::s
                 element_row(b.type).name,
                 a.ids.size(),
                 element_row(a.type).name,
-                kHint
+                kOneModelHint
             )
         );
     }
@@ -104,7 +107,10 @@ void check_same_block(const ElementBlock& a, const ElementBlock& b, const std::s
             Code::MeshesDiffer,
             name,
             fmt::format(
-                "has element {} where the inputs before it have element {}.{}", raw(*other), raw(*mine), kHint
+                "has element {} where the inputs before it have element {}.{}",
+                raw(*other),
+                raw(*mine),
+                kOneModelHint
             )
         );
     }
@@ -114,7 +120,9 @@ void check_same_block(const ElementBlock& a, const ElementBlock& b, const std::s
         throw Error(
             Code::MeshesDiffer,
             name,
-            fmt::format("element {} has other nodes than in the inputs before it.{}", raw(a.ids[row]), kHint)
+            fmt::format(
+                "element {} has other nodes than in the inputs before it.{}", raw(a.ids[row]), kOneModelHint
+            )
         );
     }
 }
@@ -205,7 +213,7 @@ void check_same_mesh(const Mesh& first, const Mesh& second, const std::string& s
                 "has {} types of elements, the inputs before it {}.{}",
                 second.blocks.size(),
                 first.blocks.size(),
-                kHint
+                kOneModelHint
             )
         );
     }

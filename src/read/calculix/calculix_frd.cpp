@@ -19,7 +19,7 @@ namespace {
 
 using namespace frd;
 
-Likelihood recognise(const Input& input) {
+Likelihood recognise_frd(const Input& input) {
     const std::string_view head = head_of(input);
     if (head.starts_with("    1C")) return Likelihood::Sure;
     return head.starts_with("    1U") || head.starts_with("    2C") ? Likelihood::Maybe : Likelihood::No;
@@ -122,7 +122,7 @@ private:
     std::vector<bool> reported_;
 };
 
-std::unique_ptr<ModelSource> open(
+std::unique_ptr<ModelSource> open_frd(
     std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics
 ) {
     return std::make_unique<FrdSource>(inputs.front(), context, diagnostics);
@@ -132,7 +132,10 @@ std::unique_ptr<ModelSource> open(
 
 ReadFormat calculix_frd_format() {
     return {
-        {"calculix-frd", "CalculiX results, text and binary", ".frd", true, true}, false, recognise, open};
+        {"calculix-frd", "CalculiX results, text and binary", ".frd", true, true},
+        false,
+        recognise_frd,
+        open_frd};
 }
 
 }  // namespace feelem
