@@ -22,7 +22,7 @@ PUBLIC_HEADER_OWNER = {
     "error": "base", "diagnostics": "base",
     "ids": "model", "element_type": "model", "mesh": "model", "result": "model", "model": "model", "surface": "model",
     "read": "read", "derive": "derive", "skin": "skin", "pick": "pick", "write": "write", "present": "present",
-    "scene": "scene", "convert": "convert",
+    "scene": "scene", "convert": "convert", "probe": "convert",
 }
 ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)

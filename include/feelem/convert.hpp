@@ -7,16 +7,20 @@
 #include "feelem/read.hpp"
 #include "feelem/skin.hpp"
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace feelem {
 
-/// Told what is being done and how far it is (0..1). Return false to cancel.
+/// Told what is being done and how far it is (0..1), from the calling thread. Return false to cancel.
 using Progress = std::function<bool(std::string_view stage, double fraction)>;
 
 /// What to convert and how: cli.md's options.
@@ -36,13 +40,49 @@ struct Job {
     std::string title;
 };
 
+/// Feelem's own version: "0.1.0".
+std::string_view version();
+
 /// The model with the job's units applied and results listed once (bitwise equal twins of two inputs merged).
+/// Null when cancelled.
 std::unique_ptr<ModelSource> open_job(const Job& job, Diagnostics& diagnostics, const Progress& progress);
 
-/// Writes job.output in the format of its suffix. Throws Error; cancelling throws nothing and writes nothing.
-void convert(const Job& job, Diagnostics& diagnostics, const Progress& progress);
+/// Writes job.output in the format of its suffix. Throws Error. False when cancelled: then nothing was
+/// written.
+bool convert(const Job& job, Diagnostics& diagnostics, const Progress& progress);
+
+/// Smallest and largest value of one component over the whole model, with solver ids (the smallest on a tie).
+struct ComponentRange {
+    std::string component;
+    bool derived = false;
+    std::uint64_t valid = 0;  ///< Rows with a value; 0: the next six mean nothing.
+    float min = 0, max = 0;
+    std::int64_t min_id = 0, max_id = 0;
+    std::int64_t min_element = 0, max_element = 0;  ///< Unaveraged results only, else 0.
+    std::uint64_t missing = 0;                      ///< Nodes (elements) of the model without a value.
+};
+struct ResultReport {
+    ResultInfo info;  ///< As averaged by the job.
+    std::vector<ComponentRange> ranges;
+};
+
+/// What `feelem info` says of a model.
+struct ModelReport {
+    std::vector<InputRecord> inputs;
+    std::uint64_t nodes = 0, elements = 0;  ///< Elements include those without a surface.
+    std::vector<std::pair<std::string, std::uint64_t>> elements_by_type, skipped_elements, parts;
+    std::optional<std::array<Point3, 2>> bounds;  ///< Of drawn elements.
+    std::optional<LengthUnit> length_unit;
+    SkinMethod skin_method = SkinMethod::Exact;
+    std::optional<SkinReport> skin;  ///< Empty when nothing can be drawn.
+    std::vector<Step> steps;
+    std::vector<ResultReport> results;  ///< ResultInfo::step counts in `steps`.
+};
+
+/// Empty when cancelled.
+std::optional<ModelReport> report_model(const Job& job, Diagnostics& diagnostics, const Progress& progress);
 
 /// `feelem info --json`, version 1 (docs/cli.md), as text.
-std::string info_json(const Job& job, Diagnostics& diagnostics, const Progress& progress);
+std::string info_json(const ModelReport& report, const Diagnostics& diagnostics);
 
 }  // namespace feelem

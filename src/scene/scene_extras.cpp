@@ -210,7 +210,7 @@ std::string extras_text(const SceneBuild& build) {
     write_texcoords(json, build);
     write_deformation(json, build);
     json.key("hotspots").begin_array().end_array();
-    json.key("presentation").raw(presentation_json(contents.presentation));
+    json.key("presentation").raw(contents.presentation.json.empty() ? "{}" : contents.presentation.json);
     json.key("certificate").raw(certificate_text(build)).end_object();
     return json.text();
 }

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// derive -> skin -> present -> write, for scenes.
+#include "convert/presenting.hpp"
+#include "convert/scene_values.hpp"
+#include "convert/skin_options.hpp"
+#include "convert/stage.hpp"
+#include "convert/work.hpp"
+
+#include "feelem/scene.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+namespace feelem {
+namespace {
+
+void fill_extremes(
+    const PlannedResult& planned, SceneResult& result, std::size_t index, const SceneValueStore& store
+) {
+    for (std::size_t i = 0; i < planned.values.size(); ++i) {
+        const std::vector<ComponentRange>& ranges = store.ranges(index, i);
+        SceneValues& values = result.values[i];
+        for (const ComponentRange& range : ranges) {
+            values.missing_in_model = std::max(values.missing_in_model, range.missing);
+        }
+        if (ranges.size() != 1 || ranges.front().valid == 0) continue;
+        values.min = Extreme{ranges.front().min, ranges.front().min_id};
+        values.max = Extreme{ranges.front().max, ranges.front().max_id};
+    }
+}
+
+std::string scene_title(const Job& job, const ModelSource& source) {
+    if (!job.title.empty()) return job.title;
+    if (std::string title = source.title(); !title.empty()) return title;
+    return std::filesystem::path(job.output).stem().string();
+}
+
+}  // namespace
+
+void report_interpolation(const Work& work, std::uint64_t interpolated) {
+    if (interpolated == 0) return;
+    work.diagnostics.add(
+        Code::MidsideInterpolated,
+        "",
+        "mid-side values of corner-only results are the mean of their edge's corners; they are marked with ~",
+        interpolated
+    );
+}
+
+Surface skin_of(const Work& work) {
+    report_progress(work.progress, "skin", 0);
+    SkinOptions options = skin_options(work.job);
+    options.domain = work.plan.domain;
+    return make_skin(work.source.mesh(), options, work.diagnostics);
+}
+
+void write_as_scene(Work& work) {
+    const Surface surface = skin_of(work);
+    SceneValueStore store(work.source, surface, work.plan, work.job.average);
+    store.read_all(work.progress);
+    report_interpolation(work, store.interpolated());
+
+    SceneContents contents;
+    contents.title = scene_title(work.job, work.source);
+    contents.solver = work.source.solver();
+    report_progress(work.progress, "hash", 0);
+    const auto inputs = work.source.inputs();
+    contents.inputs.assign(inputs.begin(), inputs.end());
+    contents.mesh = &work.source.mesh();
+    contents.surface = &surface;
+    contents.up = work.job.up;
+    contents.steps = work.plan.steps;
+    std::size_t fields = 0, done = 0;
+    for (std::size_t i = 0; i < work.plan.results.size(); ++i) {
+        contents.results.push_back(work.plan.results[i].scene);
+        fill_extremes(work.plan.results[i], contents.results.back(), i, store);
+        fields += contents.results.back().values.size();
+    }
+    contents.presentation = make_presentation(
+        {work.source.mesh(), surface, work.plan, store}, work.job.presentation_file, contents.title
+    );
+    contents.shown_step = choose_shown_step(work.plan, contents.presentation);
+    if (store.interpolated() > 0) {
+        contents.notes["midside_interpolated"] = std::to_string(store.interpolated());
+    }
+    contents.load = [&](std::size_t result, std::size_t values) {
+        report_progress(work.progress, "write", fraction_of(done++, fields));
+        return store.take_field(result, values);
+    };
+    report_progress(work.progress, "write", 0);
+    write_scene(contents, work.job.output, {}, work.diagnostics);
+}
+
+}  // namespace feelem
