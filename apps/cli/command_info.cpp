@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// `feelem info`: what is in the files, as tables for people or as version 1 of the JSON form.
+#include "command.hpp"
+#include "terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace feelem::cli {
+namespace {
+
+/// 7670 -> "7,670".
+std::string grouped(std::uint64_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t at = digits.size(); at > 3;) {
+        at -= 3;
+        digits.insert(at, 1, ',');
+    }
+    return digits;
+}
+
+std::string counts(const std::vector<std::pair<std::string, std::uint64_t>>& rows) {
+    std::string text;
+    for (const auto& [name, count] : rows) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(count), name);
+    }
+    return text;
+}
+
+void print_inputs(const ModelReport& report) {
+    for (const InputRecord& input : report.inputs) {
+        fmt::print("Input    {}  ({}, {} bytes)\n", input.path, input.format, grouped(input.bytes));
+    }
+}
+
+void print_model(const ModelReport& report) {
+    const std::string unit = report.length_unit ? report.length_unit->name : "";
+    fmt::print("Nodes    {}\n", grouped(report.nodes));
+    fmt::print("Elements {}: {}", grouped(report.elements), counts(report.elements_by_type));
+    if (!report.skipped_elements.empty()) fmt::print("; left out: {}", counts(report.skipped_elements));
+    fmt::print("\n");
+    constexpr std::size_t kMostParts = 12;
+    for (std::size_t i = 0; i < report.parts.size() && i < kMostParts; ++i) {
+        fmt::print("Part     {}: {} elements\n", report.parts[i].first, grouped(report.parts[i].second));
+    }
+    if (report.parts.size() > kMostParts) {
+        fmt::print("         and {} parts more\n", report.parts.size() - kMostParts);
+    }
+    if (report.bounds) {
+        const auto& [low, high] = *report.bounds;
+        fmt::print(
+            "Box      x {:g} .. {:g}, y {:g} .. {:g}, z {:g} .. {:g} ({})\n",
+            low[0],
+            high[0],
+            low[1],
+            high[1],
+            low[2],
+            high[2],
+            unit.empty() ? "length unit unknown" : unit
+        );
+    }
+}
+
+void print_skin(const ModelReport& report) {
+    if (!report.skin) {
+        fmt::print("Skin     none: nothing here can be drawn\n");
+        return;
+    }
+    const SkinReport& skin = *report.skin;
+    if (skin.has_solids) {
+        fmt::print(
+            "Skin     {} of {} facets of solids, {}; volume {:g}\n",
+            grouped(skin.solid_facets_kept),
+            grouped(skin.solid_facets_in),
+            skin.closed ? "closed" : "not closed",
+            skin.volume
+        );
+    }
+    if (skin.shell_tri + skin.shell_quad > 0) {
+        fmt::print("Shells   {} facets\n", grouped(skin.shell_tri + skin.shell_quad));
+    }
+    fmt::print(
+        "Drawn    {} triangles on {} vertices; area {:g}\n",
+        grouped(skin.triangles),
+        grouped(skin.vertices),
+        skin.area
+    );
+}
+
+void print_steps(const ModelReport& report) {
+    if (report.steps.empty()) return;
+    fmt::print("\n{:<10} {:<10} {:<14} {:<20} {}\n", "Step", "Kind", "Value", "Label", "Input");
+    for (const Step& step : report.steps) {
+        const bool known = step.input < report.inputs.size();
+        fmt::print(
+            "{:<10} {:<10} {:<14g} {:<20} {}\n",
+            fmt::format("{}.{}", step.step, step.substep),
+            word(step.kind),
+            step.value,
+            step.label,
+            known ? report.inputs[step.input].path : ""
+        );
+    }
+}
+
+std::string extreme(const ComponentRange& range, float value, std::int64_t id, std::int64_t element) {
+    if (range.valid == 0) return "-";
+    if (element != 0) return fmt::format("{} @ {} of {}", value, id, element);
+    return fmt::format("{} @ {}", value, id);
+}
+
+void print_results(const ModelReport& report) {
+    if (report.results.empty()) return;
+    fmt::print(
+        "\n{:<28} {:<8} {:<8} {:<26} {:<26} {}\n",
+        "Result",
+        "Unit",
+        "Step",
+        "Minimum @ id",
+        "Maximum @ id",
+        "Missing"
+    );
+    for (const ResultReport& result : report.results) {
+        const Step& step = report.steps.at(result.info.step);
+        std::string extra;
+        for (const std::string_view note : {word(result.info.layer), word(result.info.complex)}) {
+            if (!note.empty()) extra += " " + std::string(note);
+        }
+        for (const ComponentRange& range : result.ranges) {
+            const std::string component = range.component == "value" ? "" : " " + range.component;
+            fmt::print(
+                "{:<28} {:<8} {:<8} {:<26} {:<26} {}\n",
+                result.info.name + extra + component,
+                result.info.unit.empty() ? "-" : result.info.unit,
+                fmt::format("{}.{}", step.step, step.substep),
+                extreme(range, range.min, range.min_id, range.min_element),
+                extreme(range, range.max, range.max_id, range.max_element),
+                range.missing == 0 ? "" : grouped(range.missing)
+            );
+        }
+    }
+}
+
+}  // namespace
+
+int run_info(const Options& options) {
+    Diagnostics diagnostics;
+    Terminal terminal(options.verbose);
+    const auto report = report_model(options.job, diagnostics, terminal.progress());
+    terminal.finish();
+    if (!report) {
+        fmt::print(stderr, "feelem: cancelled\n");
+        return 1;
+    }
+    if (options.json) {
+        fmt::print("{}", info_json(*report, diagnostics));
+        return 0;
+    }
+    print_inputs(*report);
+    print_model(*report);
+    print_skin(*report);
+    print_steps(*report);
+    print_results(*report);
+    print_diagnostics(diagnostics);
+    return 0;
+}
+
+}  // namespace feelem::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of commands.
+#include "command.hpp"
+
+#include <array>
+
+namespace feelem::cli {
+namespace {
+
+constexpr std::array kCommands{
+    Command{
+        "convert",
+        "Convert results to a scene or to another format",
+        "INPUT... -o OUT",
+        Takes::Inputs | Takes::Output | Takes::Model,
+        run_convert},
+    Command{
+        "info",
+        "Say what is in the files: mesh, parts, steps, results with ranges, skin",
+        "INPUT... [--json]",
+        Takes::Inputs | Takes::Model | Takes::Json,
+        run_info},
+    Command{
+        "view",
+        "Show results or a scene in the browser",
+        "INPUT... | SCENE [--port N] [--no-open]",
+        Takes::Inputs | Takes::Model | Takes::Serving,
+        run_view},
+    Command{
+        "probe",
+        "Say every value at a node, a point or where a ray meets the skin",
+        "SCENE | INPUT... --node ID | --point X,Y,Z | --ray OX,OY,OZ,DX,DY,DZ [--json]",
+        Takes::Inputs | Takes::Model | Takes::Place | Takes::Json,
+        run_probe},
+    Command{"formats", "List what can be read and written", "[--json]", Takes::Json, run_formats},
+    Command{"doctor", "Say what works on this machine", "", Takes::Nothing, run_doctor},
+};
+
+}  // namespace
+
+std::span<const Command> commands() {
+    return kCommands;
+}
+
+}  // namespace feelem::cli

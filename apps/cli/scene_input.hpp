@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// SCENE | INPUT...: a scene as it is, or one made for this run in a folder of its own.
+#pragma once
+
+#include "command.hpp"
+
+#include <string>
+
+namespace feelem::cli {
+
+class SceneInput {
+public:
+    /// Converts when the inputs are no scene. Throws what convert() throws.
+    explicit SceneInput(const Options& options);
+    ~SceneInput();
+    SceneInput(const SceneInput&) = delete;
+    SceneInput& operator=(const SceneInput&) = delete;
+
+    /// Empty when the conversion was cancelled.
+    const std::string& path() const noexcept { return path_; }
+
+private:
+    std::string path_;
+    std::string folder_;  ///< To be removed; empty when nothing was made.
+};
+
+/// By content: a binary glTF, or a .gltf of JSON.
+bool is_scene(const std::string& path);
+
+}  // namespace feelem::cli

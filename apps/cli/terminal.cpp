@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terminal.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+
+namespace feelem::cli {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void note_interrupt(int) {
+    interrupted = 1;
+}
+
+double seconds_now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Terminal::Terminal(bool verbose) : verbose_(verbose), has_bar_(!verbose && isatty(STDERR_FILENO) == 1) {
+    std::signal(SIGINT, note_interrupt);
+    std::signal(SIGTERM, note_interrupt);
+}
+
+Terminal::~Terminal() {
+    finish();
+}
+
+Progress Terminal::progress() {
+    return [this](std::string_view stage, double fraction) {
+        show(stage, fraction);
+        return !was_interrupted();
+    };
+}
+
+void Terminal::show(std::string_view stage, double fraction) {
+    if (stage != stage_) {
+        end_stage();
+        stage_ = stage;
+        stage_began_ = seconds_now();
+        shown_percent_ = -1;
+    }
+    const int percent = static_cast<int>(fraction * 100);
+    if (!has_bar_ || percent == shown_percent_) return;
+    shown_percent_ = percent;
+    constexpr int kWidth = 30;
+    const std::string bar(static_cast<std::size_t>(percent * kWidth / 100), '#');
+    fmt::print(stderr, "\r{:<10} [{:<{}}] {:3} %", stage_, bar, kWidth, percent);
+    std::fflush(stderr);
+}
+
+void Terminal::end_stage() {
+    if (stage_.empty()) return;
+    if (verbose_) {
+        fmt::print(
+            stderr,
+            "{:<10} {:9.3f} s  peak {:9.1f} MiB\n",
+            stage_,
+            seconds_now() - stage_began_,
+            static_cast<double>(peak_memory()) / (1024.0 * 1024.0)
+        );
+    }
+    stage_.clear();
+}
+
+void Terminal::finish() {
+    end_stage();
+    if (has_bar_ && shown_percent_ >= 0) fmt::print(stderr, "\r{:<60}\r", "");
+    shown_percent_ = -1;
+    std::fflush(stderr);
+}
+
+bool was_interrupted() {
+    return interrupted != 0;
+}
+
+void print_diagnostics(const Diagnostics& diagnostics) {
+    for (const Diagnostic& entry : diagnostics.entries()) {
+        const Severity severity = code_info(entry.code).severity;
+        fmt::print(
+            stderr,
+            "{:<9}{}{}{}{}\n",
+            severity == Severity::Note ? "note:" : "warning:",
+            entry.where,
+            entry.where.empty() ? "" : ": ",
+            entry.text,
+            entry.count > 1 ? fmt::format(" ({} times)", entry.count) : ""
+        );
+    }
+}
+
+std::size_t peak_memory() {
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    std::size_t kib = 0;
+    while (status >> word) {
+        if (word == "VmHWM:" && status >> kib) return kib * 1024;
+    }
+    return 0;
+}
+
+}  // namespace feelem::cli
