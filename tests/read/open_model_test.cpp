@@ -50,6 +50,94 @@ TEST(OpenModel, answers_an_unknown_reader_with_the_known_ones) {
     );
 }
 
+std::string boiler(const std::string& name) {
+    return test::project_file("examples/boiler/" + name);
+}
+
+TEST(OpenModel, results_of_two_files_of_one_model_know_their_input) {
+    Diagnostics diagnostics;
+    const std::vector<std::string> paths{boiler("hex_linear/heat.frd"), boiler("hex_linear/static.frd")};
+    const auto model = open_model(paths, {}, diagnostics);
+    EXPECT_EQ(model->mesh().node_count(), 2546U);
+    ASSERT_EQ(model->inputs().size(), 2U);
+    EXPECT_EQ(model->inputs()[1].format, "calculix-frd");
+    EXPECT_EQ(model->inputs()[1].sha256.size(), 64U);
+    EXPECT_NE(model->inputs()[0].sha256, model->inputs()[1].sha256);
+    std::vector<std::string> found;
+    for (std::size_t i = 0; i < model->results().size(); ++i) {
+        const ResultInfo& info = model->results()[i];
+        found.push_back(info.name + "@" + std::to_string(model->steps()[info.step].input));
+        EXPECT_EQ(model->load(i).row_count(), 2546U);
+    }
+    EXPECT_THAT(found, testing::IsSupersetOf({"temperature@0", "heat_flux@0", "displacement@1", "stress@1"}));
+    EXPECT_TRUE(diagnostics.entries().empty());
+}
+
+TEST(OpenModel, different_meshes_are_an_error_with_numbers) {
+    Diagnostics diagnostics;
+    const std::vector<std::string> paths{boiler("hex_linear/heat.frd"), boiler("small/heat.frd")};
+    try {
+        open_model(paths, {}, diagnostics);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::MeshesDiffer);
+        EXPECT_THAT(error.what(), HasSubstr("has 7670 nodes, the inputs before it 2546"));
+    }
+}
+
+TEST(OpenModel, a_node_elsewhere_is_an_error_with_its_number) {
+    Diagnostics diagnostics;
+    const std::string first = test::read_file(boiler("hex_linear/heat.frd"));
+    std::string second = first;
+    second.replace(second.find("1.16469E+02"), 11, "1.16569E+02");
+    try {
+        open_model(std::vector<NamedBytes>{{"a.frd", first}, {"b.frd", second}}, {}, diagnostics);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::MeshesDiffer);
+        EXPECT_THAT(error.what(), HasSubstr("b.frd: node 1 is at (434.667, 116.569, 0)"));
+    }
+}
+
+TEST(OpenModel, other_elements_on_the_same_nodes_are_an_error) {
+    Diagnostics diagnostics;
+    const std::string first = test::read_file(test::project_file("tests/data/calculix/static.frd"));
+    std::string second = first;
+    const std::size_t row = second.find(" -2         5         6");
+    second.replace(row, 23, " -2         6         5");
+    try {
+        open_model(std::vector<NamedBytes>{{"a.frd", first}, {"b.frd", second}}, {}, diagnostics);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::MeshesDiffer);
+        EXPECT_THAT(error.what(), HasSubstr("element 2 has other nodes"));
+    }
+}
+
+TEST(OpenModel, text_and_binary_of_one_model_are_one_mesh) {
+    Diagnostics diagnostics;
+    const std::vector<std::string> paths{
+        test::project_file("tests/data/calculix/static.frd"),
+        test::project_file("tests/data/calculix/static_binary.frd")};
+    EXPECT_EQ(open_model(paths, {}, diagnostics)->results().size(), 12U);
+}
+
+TEST(OpenModel, a_folder_is_its_files_and_strangers_are_named) {
+    const std::string folder = test::scratch_folder("open_model_folder");
+    test::write_file(
+        folder + "/b.frd", test::read_file(test::project_file("tests/data/calculix/static.frd"))
+    );
+    test::write_file(folder + "/a.txt", "Two roads diverged in a yellow wood\n");
+    test::write_file(folder + "/.hidden", "no matter\n");
+    Diagnostics diagnostics;
+    const auto model = open_model(std::vector<std::string>{folder}, {}, diagnostics);
+    ASSERT_EQ(model->inputs().size(), 1U);
+    EXPECT_EQ(model->inputs()[0].path, folder + "/b.frd");
+    ASSERT_EQ(diagnostics.entries().size(), 1U);
+    EXPECT_EQ(diagnostics.entries()[0].code, Code::UnknownBlock);
+    EXPECT_THAT(diagnostics.entries()[0].text, HasSubstr("a.txt"));
+}
+
 TEST(TextEncoding, utf16_of_either_byte_order_and_marked_utf8_become_plain_utf8) {
     const std::string plain = "a\xC3\xA9\xF0\x9F\x99\x82\n";  // a, e acute, a face beyond 16 bits
     const std::string little = "\xFF\xFE"s + "a\0\xE9\0\x3D\xD8\x42\xDE\n\0"s;
