@@ -162,9 +162,11 @@ std::vector<bool> drawing_sides(const FacetsToDraw& drawn, const EdgeTable& edge
 
 bool is_closed(const FacetsToDraw& drawn, const EdgeTable& edges) {
     std::vector<bool> is_solid(drawn.facets.size());
+    bool any_solid = false;
     for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {
         for (std::uint32_t f = drawn.piece_first[piece]; f < drawn.piece_first[piece + 1]; ++f)
             is_solid[f] = drawn.pieces[piece].kind == PartKind::Solid;
+        any_solid = any_solid || drawn.pieces[piece].kind == PartKind::Solid;
     }
     for (const std::uint32_t first : edges.first) {
         std::int64_t balance = 0;
@@ -173,7 +175,7 @@ bool is_closed(const FacetsToDraw& drawn, const EdgeTable& edges) {
         }
         if (balance != 0) return false;
     }
-    return true;
+    return any_solid;
 }
 
 /// Distinct (part, node) on the facets; pieces of one part follow each other.
@@ -256,7 +258,7 @@ void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, double crease_angl
         surface.parts.push_back(part);
     }
     surface.report.vertices = count_part_nodes(mesh, drawn);
-    surface.report.closed = surface.report.has_solids && is_closed(drawn, edges);
+    surface.report.closed = is_closed(drawn, edges);
     measure(surface);
 }
 

@@ -5,6 +5,7 @@
 #include "skin/draw_facets.hpp"
 #include "skin/element_checks.hpp"
 #include "skin/facet_cancellation.hpp"
+#include "skin/glyphs.hpp"
 #include "skin/node_list_filter.hpp"
 #include "skin/outline.hpp"
 
@@ -208,9 +209,10 @@ Surface make_skin(const Mesh& mesh, const SkinOptions& options, Diagnostics& dia
     }();
     count_kinds(drawn, report);
     tell(report, diagnostics);
-    if (drawn.facets.empty())
-        throw Error(Code::NoElements, "", "no element has a surface that could be drawn");
     draw_facets(mesh, drawn, options.crease_angle, surface);
+    add_glyphs(mesh, surface, diagnostics);
+    if (surface.triangles.empty())
+        throw Error(Code::NoElements, "", "no element has a surface that could be drawn");
     return surface;
 }
 

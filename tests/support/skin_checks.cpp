@@ -91,12 +91,13 @@ namespace {
 
 template <class Visit>
 void for_each_solid_facet(const Mesh& mesh, Visit visit) {
+    std::size_t element = 0;
     for (const ElementBlock& block : mesh.blocks) {
         const ElementRow& row = element_row(block.type);
-        if (row.dimension != 3) continue;
-        for (std::size_t i = 0; i < block.ids.size(); ++i) {
+        for (std::size_t i = 0; i < block.ids.size(); ++i, ++element) {
+            if (row.dimension != 3) continue;
             const auto nodes = std::span(block.nodes).subspan(i * row.node_count, row.node_count);
-            for (const FacetRow& facet : facets_of(block.type)) visit(i, outline_of(facet, nodes));
+            for (const FacetRow& facet : facets_of(block.type)) visit(element, outline_of(facet, nodes));
         }
     }
 }
