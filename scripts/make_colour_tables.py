@@ -74,19 +74,23 @@ def read_maps():
     return [(name, maps[name]) for name in ORDER]
 
 
+def constant(name):
+    return "k" + "".join(word.capitalize() for word in name.split("_"))
+
+
 def cpp(maps):
     out = ["// SPDX-License-Identifier: Apache-2.0",
-           "// Made by scripts/make_colour_tables.py: the rows of the colour maps, 0xRRGGBB from low to high. Licences: NOTICE.",
+           "// Made by scripts/make_colour_tables.py: the colour maps as rows of 0xRRGGBB. Licences: NOTICE.",
            '#include "present/colour_tables.hpp"', "", "#include <array>", "", "namespace feelem {", "namespace {", "",
            "// clang-format off"]
     for name, rows in maps:
-        out.append(f"constexpr std::array<std::uint32_t, {len(rows)}> k_{name}{{")
+        out.append(f"constexpr std::array<std::uint32_t, {len(rows)}> {constant(name)}{{")
         out += ["    " + " ".join(f"0x{row}," for row in rows[i:i + 11]) for i in range(0, len(rows), 11)]
         out.append("};")
     out.append(f"constexpr std::array<ColourTable, {len(maps)}> kTables{{{{")
-    out += [f'    {{"{name}", k_{name}}},' for name, _ in maps]
+    out += [f'    {{"{name}", {constant(name)}}},' for name, _ in maps]
     out += ["}};", "// clang-format on", "", "}  // namespace", "",
-            "std::span<const ColourTable> colour_tables() { return kTables; }", "", "}  // namespace feelem", ""]
+            "std::span<const ColourTable> colour_tables() {", "    return kTables;", "}", "", "}  // namespace feelem", ""]
     return "\n".join(out)
 
 

@@ -7,6 +7,9 @@
 
 namespace feelem {
 
+/// A chunk for loops whose rounds are short: long enough to hide what a chunk costs.
+inline constexpr std::size_t kParallelChunk = 1U << 14U;
+
 /// At most this many threads from now on; 0: as many as the machine has.
 void set_thread_count(unsigned count);
 

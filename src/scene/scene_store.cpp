@@ -40,8 +40,8 @@ void put_u32(std::string& out, std::uint64_t value) {
 }
 
 /// Header and JSON chunk of a .glb, padded.
-std::string glb_head(const std::string& json, std::uint64_t binary) {
-    const std::uint64_t json_size = (json.size() + 3) / 4 * 4;
+std::string glb_head(const std::string& text, std::uint64_t binary) {
+    const std::uint64_t json_size = (text.size() + 3) / 4 * 4;
     const std::uint64_t total = 12 + 8 + json_size + 8 + binary;
     if (total > 0xFFFFFFFFull)
         throw Error(Code::TooLarge, "", "a .glb holds at most 4 GiB. Write a .gltf, or fewer results.");
@@ -49,7 +49,7 @@ std::string glb_head(const std::string& json, std::uint64_t binary) {
     put_u32(head, 2);
     put_u32(head, total);
     put_u32(head, json_size);
-    head += "JSON" + json + std::string(json_size - json.size(), ' ');
+    head += "JSON" + text + std::string(json_size - text.size(), ' ');
     put_u32(head, binary);
     head.append("BIN\0", 4);
     return head;

@@ -14,7 +14,6 @@
 namespace feelem {
 namespace {
 
-constexpr std::size_t kChunk = 1U << 14U;
 constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
 
 /// Where a vertex stands: what is needed to find its row, or that of another node there.
@@ -84,7 +83,7 @@ public:
 
     SurfaceField run() {
         for (const SurfacePart& part : surface_.parts) {
-            parallel_chunks(part.vertex_count, kChunk, [&](std::size_t first, std::size_t last) {
+            parallel_chunks(part.vertex_count, kParallelChunk, [&](std::size_t first, std::size_t last) {
                 for (std::size_t i = first; i < last; ++i) copy(part.first_vertex + i, place(part, i));
             });
         }

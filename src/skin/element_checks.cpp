@@ -13,7 +13,6 @@
 namespace feelem {
 namespace {
 
-constexpr std::size_t kChunk = 1U << 14U;
 /// Below this part of its size cubed, an element counts as flat: the sign of its volume is rounding.
 constexpr double kFlat = 1e-12;
 
@@ -107,7 +106,7 @@ std::uint64_t count_inverted_solids(const Mesh& mesh, const std::vector<bool>& s
     std::size_t before = 0;
     for (const ElementBlock& block : mesh.blocks) {
         if (element_row(block.type).dimension == 3) {
-            parallel_chunks(block.ids.size(), kChunk, [&](std::size_t first, std::size_t last) {
+            parallel_chunks(block.ids.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
                 std::uint64_t here = 0;
                 for (std::size_t i = first; i < last; ++i) {
                     const bool counts = set_aside.empty() || !set_aside[before + i];
@@ -123,7 +122,7 @@ std::uint64_t count_inverted_solids(const Mesh& mesh, const std::vector<bool>& s
 
 bool flip_facets_of_inverted_solids(const Mesh& mesh, std::vector<FacetRef>& facets) {
     std::atomic<bool> any{false};
-    parallel_chunks(facets.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    parallel_chunks(facets.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const bool same_element = i > first && facets[i].block == facets[i - 1].block &&
                                       facets[i].position == facets[i - 1].position;

@@ -20,8 +20,6 @@
 namespace feelem {
 namespace {
 
-constexpr std::size_t kChunk = 1U << 14U;
-
 /// A block of solids and where its elements start in the mesh.
 struct SolidBlock {
     const ElementBlock* block = nullptr;
@@ -53,7 +51,7 @@ bool is_set_aside(const std::vector<bool>& set_aside, const SolidBlock& solids, 
 class NodeMarks {
 public:
     explicit NodeMarks(const std::vector<std::uint64_t>& sums) : words_((sums.size() + 63) / 64) {
-        parallel_chunks(words_.size(), kChunk, [&](std::size_t first, std::size_t last) {
+        parallel_chunks(words_.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last; ++i) {
                 const std::size_t end = std::min(sums.size(), (i + 1) * 64);
                 std::uint64_t word = 0;
@@ -88,7 +86,7 @@ NodeMarks nodes_with_a_rest(
     for (const SolidBlock& solids : blocks) {
         const auto facets = facets_of(solids.block->type);
         found.in += solids.block->ids.size() * facets.size();
-        parallel_chunks(solids.block->ids.size(), kChunk, [&](std::size_t first, std::size_t last) {
+        parallel_chunks(solids.block->ids.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
             std::uint64_t collapsed_here = 0;
             for (std::size_t i = first; i < last; ++i) {
                 if (is_set_aside(set_aside, solids, i)) {
@@ -120,9 +118,9 @@ std::vector<FacetCandidate> candidates_at(
     for (const SolidBlock& solids : blocks) {
         const auto facets = facets_of(solids.block->type);
         const std::size_t count = solids.block->ids.size();
-        std::vector<std::vector<FacetCandidate>> found((count + kChunk - 1) / kChunk);
-        parallel_chunks(count, kChunk, [&](std::size_t first, std::size_t last) {
-            std::vector<FacetCandidate>& here = found[first / kChunk];
+        std::vector<std::vector<FacetCandidate>> found((count + kParallelChunk - 1) / kParallelChunk);
+        parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
+            std::vector<FacetCandidate>& here = found[first / kParallelChunk];
             for (std::size_t i = first; i < last; ++i) {
                 const auto nodes = solids.nodes(i);
                 if (!marks.any(nodes.first(solids.row->corner_count)) || is_set_aside(set_aside, solids, i))
