@@ -12,24 +12,50 @@
 namespace feelem {
 namespace {
 
-/// senses.md 6.1: position of a value in its range, not clamped.
-double position_of(double value, const ValueRange& range) {
-    const double most = std::max(std::abs(range.lo), std::abs(range.hi));
-    const auto ratio = [](double v, double lo, double hi) {
-        return hi > lo ? (v - lo) / (hi - lo) : v > lo ? 2.0 : v < lo ? -1.0 : 0.5;
-    };
-    switch (range.scale) {
-    case Scale::Linear: return ratio(value, range.lo, range.hi);
-    case Scale::Log:
-        if (!(value > 0)) return -1e9;
-        return ratio(std::log10(value), std::log10(range.lo), std::log10(range.hi));
-    case Scale::Signed: return ratio(value, -most, most);
+/// As normalise() sees it: a logarithmic range that reaches zero is SymLog.
+Scale scale_of(const ValueRange& range) {
+    return range.scale == Scale::Log && !(range.lo > 0) ? Scale::SymLog : range.scale;
+}
+
+double magnitude_of(const ValueRange& range) {
+    return std::max(std::abs(range.lo), std::abs(range.hi));
+}
+
+/// The axis on which a scale is even (senses.md 6.1), and back.
+double to_axis(double value, const ValueRange& range) {
+    const double most = magnitude_of(range);
+    switch (scale_of(range)) {
+    case Scale::Linear:
+    case Scale::Signed: return value;
+    case Scale::Log: return value > 0 ? std::log10(value) : -1e9;
     case Scale::SymLog: break;
     }
-    const auto symlog = [&](double v) {
-        return most > 0 ? std::copysign(std::log10(1 + std::abs(v) / (1e-3 * most)), v) : v;
-    };
-    return ratio(symlog(value), symlog(range.lo), symlog(range.hi));
+    return most > 0 ? std::copysign(std::log10(1 + std::abs(value) / (1e-3 * most)), value) : value;
+}
+
+double from_axis(double place, const ValueRange& range) {
+    const double most = magnitude_of(range);
+    switch (scale_of(range)) {
+    case Scale::Linear:
+    case Scale::Signed: return place;
+    case Scale::Log: return std::pow(10.0, place);
+    case Scale::SymLog: break;
+    }
+    return most > 0 ? std::copysign((std::pow(10.0, std::abs(place)) - 1) * 1e-3 * most, place) : place;
+}
+
+std::array<double, 2> axis_ends(const ValueRange& range) {
+    const double most = magnitude_of(range);
+    if (range.scale == Scale::Signed) return {-most, most};
+    return {to_axis(range.lo, range), to_axis(range.hi, range)};
+}
+
+/// normalise()'s position, not clamped.
+double position_of(double value, const ValueRange& range) {
+    const auto [lo, hi] = axis_ends(range);
+    const double place = to_axis(value, range);
+    if (hi > lo) return (place - lo) / (hi - lo);
+    return place > lo ? 2.0 : place < lo ? -1.0 : 0.5;
 }
 
 /// The scalar of a presented result, or a component of a vector or tensor that holds it.
@@ -94,6 +120,13 @@ void choose_coloured(SceneBuild& build) {
             build.coloured.push_back(std::move(*hit));
         }
     }
+}
+
+double value_at(double t, const ValueRange& range) {
+    const auto [lo, hi] = axis_ends(range);
+    if (t == 0 && range.scale != Scale::Signed) return range.lo;
+    if (t == 1 && range.scale != Scale::Signed) return range.hi;
+    return from_axis(lo + t * (hi - lo), range);
 }
 
 std::array<float, 2> texcoord_of(double value, const ValueRange& range) {

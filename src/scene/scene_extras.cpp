@@ -32,7 +32,8 @@ void write_parts(JsonText& json, const SceneBuild& build) {
             .member("kind", scene_kind(part.range->kind));
         json.member("domain", build.contents.surface->domain == Domain::Node ? "node" : "element-node");
         json.member("vertices", part.range->vertex_count).member("triangles", part.range->triangle_count);
-        json.member("elements", part.prefix + "elements").end_object();
+        json.member("elements", part.prefix + "elements").member("modelPart", raw(part.range->part));
+        json.end_object();
     }
     json.end_array();
 }
@@ -210,7 +211,7 @@ std::string extras_text(const SceneBuild& build) {
     write_texcoords(json, build);
     write_deformation(json, build);
     json.key("hotspots").begin_array().end_array();
-    json.key("presentation").raw(contents.presentation.json.empty() ? "{}" : contents.presentation.json);
+    json.key("presentation").raw(presentation_json(contents.presentation));
     json.key("certificate").raw(certificate_text(build)).end_object();
     return json.text();
 }

@@ -269,22 +269,36 @@ Point3 to_metres(const SceneBuild& build, const Point3& point) {
     return out;
 }
 
-void write_tree(SceneBuild& build) {
+void write_tree(SceneBuild& build, const std::vector<gltf::Node>& beside) {
     gltf::Document& document = build.document;
     document.roots.push_back(0);
-    document.nodes.push_back(
-        {"model", "model", -1, -1, {}, model_matrix(build.contents.up, scale_to_metres(build))}
-    );
+    const std::array<double, 16> matrix = model_matrix(build.contents.up, scale_to_metres(build));
+    document.nodes.push_back({"model", "model", -1, -1, {}, matrix});
+    const auto add = [&](gltf::Node node) {
+        document.nodes.push_back(std::move(node));
+        return static_cast<int>(document.nodes.size()) - 1;
+    };
+    const auto add_child = [&](std::size_t parent, gltf::Node node) {
+        const int child = add(std::move(node));
+        document.nodes[parent].children.push_back(child);
+        return child;
+    };
     for (std::size_t i = 0; i < build.parts.size(); ++i) {
         ScenePartBuild& part = build.parts[i];
-        const auto add = [&](std::string name, const char* role, int mesh) {
-            document.nodes[0].children.push_back(static_cast<int>(document.nodes.size()));
-            document.nodes.push_back({std::move(name), role, static_cast<int>(i), mesh, {}, {}});
-            return static_cast<int>(document.nodes.size()) - 1;
-        };
-        part.node = add(part.name, "part", static_cast<int>(document.meshes.size()));
+        const int mesh = static_cast<int>(document.meshes.size()), id = static_cast<int>(i);
         document.meshes.push_back(std::move(part.mesh));
-        if (part.edge_mesh >= 0) add(part.name + " edges", "edges", part.edge_mesh);
+        part.node = add_child(0, {part.name, "part", id, mesh, {}, {}});
+        if (part.edge_mesh >= 0) add_child(0, {part.name + " edges", "edges", id, part.edge_mesh, {}, {}});
+    }
+    for (const gltf::Node& node : beside) {
+        gltf::Node top = node;
+        top.children.clear();
+        const int place = add(std::move(top));
+        document.roots.push_back(place);
+        for (const int mesh : node.children) {
+            const std::string name = document.meshes[static_cast<std::size_t>(mesh)].name;
+            add_child(static_cast<std::size_t>(place), {name, node.role, -1, mesh, {}, {}});
+        }
     }
 }
 

@@ -11,8 +11,9 @@ namespace feelem {
 /// Box, origin, and the list of parts that have something to draw.
 void plan_parts(SceneBuild& build, Diagnostics& diagnostics);
 void write_geometry(SceneBuild& build);
-/// Nodes of the tree under "model", with the matrix to metres.
-void write_tree(SceneBuild& build);
+/// Nodes of the tree: "model" with the matrix to metres, then what stands beside it. The children of a node
+/// in `beside` are meshes and get nodes of their own.
+void write_tree(SceneBuild& build, const std::vector<gltf::Node>& beside);
 
 /// Column-major: model units and axes -> metres, +Y up.
 std::array<double, 16> model_matrix(char up, double metres);

@@ -157,6 +157,7 @@ void read_head(const json& feelem, SceneDocument& out) {
         out.elements.push_back(text(part, "elements"));
         out.vertices.push_back(count(part, "vertices"));
         out.triangles.push_back(count(part, "triangles"));
+        out.model_parts.push_back(count(part, "modelPart"));
         scene.parts.push_back(std::move(read));
     }
     out.presentation_json = feelem.contains("presentation") ? feelem["presentation"].dump() : "{}";
@@ -294,6 +295,7 @@ void read_certificate(const json& feelem, CertificateClaims& out) {
     const json& facets = need(skin, "facets");
     out.facets_in = count(facets, "in");
     out.facets_kept = count(facets, "kept");
+    out.facets_unmatched = count(facets, "unmatched");
     const json& dropped = need(facets, "dropped");
     for (const char* why : {"inner", "manyOwners", "collapsed", "ofDuplicates"})
         out.facets_dropped += count(dropped, why);

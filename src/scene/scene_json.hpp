@@ -45,6 +45,7 @@ struct CertificateClaims {
     std::uint64_t scene_vertices = 0, scene_triangles = 0, scene_edges = 0;
     double scene_area = 0, scene_volume = 0;
     std::uint64_t skin_vertices = 0, skin_triangles = 0;
+    std::uint64_t facets_unmatched = 0;
     std::uint64_t facets_in = 0, facets_kept = 0, facets_dropped = 0;
     std::optional<bool> closed;
     double area = 0, volume = 0;
@@ -62,6 +63,7 @@ struct SceneDocument {
     std::vector<gltf::Primitive> edges;   ///< Of role "edges".
     std::vector<std::uint64_t> vertices;  ///< As extras say, per part.
     std::vector<std::uint64_t> triangles;
+    std::vector<std::uint64_t> model_parts;  ///< Which part of the model; solids and shells may share one.
     std::vector<std::vector<FieldPlace>> fields;  ///< [result][values]
     Scene scene;                                  ///< All but geometry and fields.
     std::string presentation_json;

@@ -89,6 +89,16 @@ void read_components(
     if (first != width) bad(file, "a result lacks components");
 }
 
+Presentation read_presentation(const SceneFile& file) {
+    try {
+        return parse_presentation(file.document().presentation_json, "presentation");
+    } catch (const Error& error) {
+        throw Error(
+            Code::BadScene, file.path(), std::string("its presentation cannot be read: ") + error.what()
+        );
+    }
+}
+
 }  // namespace
 
 int attribute_of(const SceneFile& file, const gltf::Primitive& primitive, std::string_view semantic) {
@@ -139,6 +149,7 @@ std::optional<SceneField> read_field(
 Scene load_scene(const std::string& path) {
     const SceneFile file(path);
     Scene scene = file.document().scene;
+    scene.presentation = read_presentation(file);
     scene.parts = read_parts(file);
     for (std::size_t r = 0; r < scene.results.size(); ++r) {
         for (std::size_t v = 0; v < scene.results[r].values.size(); ++v) {

@@ -3,9 +3,11 @@
 #include "scene/gltf_json.hpp"
 #include "scene/scene_build.hpp"
 #include "scene/scene_colour.hpp"
+#include "scene/scene_deformation.hpp"
 #include "scene/scene_extras.hpp"
 #include "scene/scene_fields.hpp"
 #include "scene/scene_geometry.hpp"
+#include "scene/scene_materials.hpp"
 #include "scene/scene_store.hpp"
 
 #include "feelem/error.hpp"
@@ -37,9 +39,11 @@ std::string build_scene(SceneBuild& build, SceneFiles& files, Diagnostics& diagn
     plan_parts(build, diagnostics);
     build.attribute_names = name_attributes(build.contents.results);
     choose_coloured(build);
+    choose_deformation(build);
     write_geometry(build);
     write_fields(build, files);
-    write_tree(build);
+    write_tree(build, write_materials(build));
+    write_animation(build);
     build.document.buffers[0].bytes = files.main->size();
     build.digests = build.arrays.digests();
     return gltf::to_json(build.document, extras_text(build));

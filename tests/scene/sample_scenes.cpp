@@ -213,7 +213,43 @@ std::unique_ptr<Sample> brick_sample(int nx, int ny, int nz) {
     add_result(
         *sample, {"stress", Shape::SymmetricTensor, {"xx", "yy", "zz", "xy", "yz", "zx"}, "MPa"}, number
     );
+    contents.presentation = sample_presentation();
     return sample;
+}
+
+Presentation sample_presentation() {
+    Presentation presentation;
+    presentation.title = "T seen, u heard, stress felt";
+    PresentedResult t, u, s;
+    t.key = "T";
+    t.name = "temperature";
+    t.unit = "degC";
+    t.lo = 60.3;
+    t.hi = 290.7;
+    u.key = "U";
+    u.name = "displacement";
+    u.component = "magnitude";
+    u.unit = "mm";
+    u.lo = 0.002;
+    u.hi = 0.06;
+    s.key = "S";
+    s.name = "stress";
+    s.component = "xx";
+    s.unit = "MPa";
+    s.lo = 20;
+    s.hi = 360;
+    presentation.results = {t, u, s};
+    PresentedEffect seen, heard, felt;
+    seen.result = "T";
+    seen.colour.bands = 10;
+    heard.result = "U";
+    heard.sense = Sense::Pitch;
+    felt.result = "S";
+    felt.sense = Sense::Pulses;
+    presentation.effects = {seen, heard, felt};
+    presentation.deformation_result = "U";
+    presentation.deformation_factor = 50;
+    return presentation;
 }
 
 std::string write_sample(

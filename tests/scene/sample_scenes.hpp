@@ -39,6 +39,9 @@ void add_result(
     const std::function<float(std::int64_t, std::size_t, std::size_t)>& make
 );
 
+/// Temperature as colour in 10 bands, displacement as sound and shape (x 50), stress xx as pulses.
+Presentation sample_presentation();
+
 /// Writes the sample as build/scratch/<name>/scene.glb (or the suffix given) and returns the path.
 std::string write_sample(
     const Sample& sample,
