@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of a list, one after the other: nodes, elements, values.
+#pragma once
+
+#include "read/ansys/list_scan.hpp"
+
+#include "feelem/diagnostics.hpp"
+#include "feelem/mesh.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace feelem::ansys {
+
+struct NodeRow {
+    std::int64_t id = 0;
+    Point3 position{};
+    std::array<float, 3> angles{};
+    std::size_t offset = 0;  ///< Of its line.
+};
+
+struct ElementRowIds {
+    std::int64_t id = 0;
+    std::int64_t material = 0;
+    std::int64_t type = 0;
+    std::span<const std::int64_t> nodes;  ///< As listed: 0 for a left-out mid-side node.
+    std::size_t offset = 0;
+};
+
+struct ValueRow {
+    std::int64_t id = 0;            ///< Node, or element in ListKind::ElementValues.
+    std::int64_t element = 0;       ///< ListKind::ElementNodalValues.
+    std::span<const float> values;  ///< One a column; NaN = missing.
+    bool has_bad_value = false;     ///< ***, NaN or too large.
+    std::size_t offset = 0;
+};
+
+// Each throws Error(BadNumber) for a row that cannot be understood. A last row that the file does not end and
+// that is shorter than the others is left out (TruncatedInput); lines that are no rows are counted
+// (UnknownBlock). Without diagnostics nothing is reported: for a second pass.
+void for_each_node(
+    const ListFile& file,
+    const List& list,
+    Diagnostics* diagnostics,
+    const std::function<void(const NodeRow&)>& use
+);
+void for_each_element(
+    const ListFile& file,
+    const List& list,
+    Diagnostics* diagnostics,
+    const std::function<void(const ElementRowIds&)>& use
+);
+void for_each_value_row(
+    const ListFile& file,
+    const List& list,
+    Diagnostics* diagnostics,
+    const std::function<void(const ValueRow&)>& use
+);
+
+/// Significant digits of the longest number in the list's first rows.
+int coordinate_digits(const ListFile& file, const List& list);
+
+}  // namespace feelem::ansys

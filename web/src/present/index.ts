@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// Value -> colour, tone, tick, pulse. C++ `present` is the reference; tests/contract binds both.
+export { bandOf, colourMaps, colourOf, mapColour, paletteColour } from "./colour-map";
+export { automaticDeformationFactor, normalise } from "./normalise";
+export { pulseOf, tickRateOf } from "./rates";
+export { equalLoudness, negativePartials, toneOf, tonePartials } from "./tone";
+export * from "./types";

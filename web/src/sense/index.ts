@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sound and vibration. Per frame: sound.update(frame or null), haptics.update(frame or null), haptics.tick(seconds).
+export { createSound, defaultSound, type Sound, type SoundFrame, type SoundOptions } from "./audio";
+export type { EventKind } from "./earcons";
+export { EventWatch, type ProbeState, type SenseEvent, type SenseLimit } from "./events";
+export {
+  type Actuator,
+  actuatorOf,
+  createHaptics,
+  type HapticEvent,
+  type HapticFrame,
+  type Haptics,
+  type SentPulse,
+} from "./haptics";
+export { stopWhenLeft } from "./leave";
