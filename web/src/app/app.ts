@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wires scene, state, drawing, pointers, senses and panels: the only file that knows them all.
+import { type Ray, Ray as RayOf, Vector3 } from "three";
+import { attachKeyboard, type KeyCommand } from "../input/keyboard";
+import { attachMouse } from "../input/mouse";
+import { findElement, findNode, type Place } from "../probe";
+import { Stage } from "../render";
+import type { SceneData } from "../scene";
+import {
+  type Actions,
+  type LegendModel,
+  type Marker,
+  modelDirection,
+  numberText,
+  stepText,
+  type ViewName,
+} from "../ui";
+import type { ApiSource } from "./api";
+import { cardModel } from "./card-model";
+import { type ExtremePlace, extremePlaces } from "./extremes";
+import { firstState } from "./first-state";
+import { keyCommands } from "./keys";
+import { makeActions } from "./make-actions";
+import { ModelView } from "./model-view";
+import type { Page } from "./page";
+import { Player } from "./player";
+import { colourEffect, otherResults } from "./presentation-doc";
+import { PIN, Probing } from "./probing";
+import { Senses } from "./senses";
+import { Store, type ViewState } from "./store";
+import { applyTheme } from "./theme";
+import { VrEntry } from "./vr-entry";
+
+const MOUSE = "mouse";
+const scratchRay: Ray = new RayOf();
+
+export interface AppOptions {
+  readonly sceneUrl: string;
+  readonly antialias: boolean;
+}
+
+export class App implements ApiSource {
+  readonly stage: Stage;
+  readonly store: Store;
+  readonly view: ModelView;
+  readonly probing: Probing;
+  readonly actions: Actions;
+  readonly senses: Senses;
+  readonly #page: Page;
+  readonly #player: Player;
+  readonly #vr: VrEntry;
+  readonly #keys: readonly KeyCommand[];
+  #extremes: readonly ExtremePlace[] = [];
+  #mouseAt: { x: number; y: number } | null = null;
+  #stale = true;
+
+  constructor(page: Page, scene: SceneData, options: AppOptions) {
+    this.#page = page;
+    this.stage = new Stage(page.stageHost, { antialias: options.antialias });
+    this.store = new Store(firstState(scene));
+    this.view = new ModelView(scene, this.store, () => this.#reshown());
+    this.stage.holder.add(this.view.model.group);
+    this.probing = new Probing(this.view, this.store);
+    this.senses = new Senses(this.view, this.probing, this.store, this.stage);
+    this.#player = new Player(this.view, this.store, this.stage);
+    const boards = {
+      panelModel: (hover: string | null) => this.#panelModel(hover),
+      legendModel: () => this.#legendModel(),
+      cardModel: () => this.#cardModel(),
+    };
+    this.#vr = new VrEntry(this, boards, () => {
+      this.#render();
+      this.#invalidate();
+    });
+    this.actions = makeActions(this, this.#player);
+    this.#keys = keyCommands(this.actions, (on) => this.#hold(on));
+    attachKeyboard(this.#keys);
+    this.#attachPointer();
+    this.store.subscribe((state, before) => this.#stateChanged(state, before));
+    this.stage.onFrame(() => this.#frame());
+    applyTheme(this.store.state.theme, this.stage);
+  }
+
+  async start(): Promise<void> {
+    await this.view.refresh();
+    this.fit();
+    await this.view.picker.build();
+    await this.#vr.ask();
+  }
+
+  enterVr(): Promise<void> {
+    return this.#vr.enter();
+  }
+
+  #panelModel(hover: string | null) {
+    const { state } = this.store;
+    return {
+      state,
+      shown: this.view.shown,
+      step: this.view.step,
+      stepCount: this.view.scene.extras.steps.length,
+      factor: this.view.factor,
+      canShape: (shown: { name: string }) => this.#canShape(shown),
+      canPlay: this.#player.canPlay,
+      hover,
+    };
+  }
+
+  #cardModel() {
+    const current = this.probing.current();
+    const report = this.probing.report();
+    if (!current || !report) return null;
+    const options = { pinned: current.name === PIN, sounding: current.held };
+    return cardModel(this.view, this.store.state.doc, report, options);
+  }
+
+  #canShape(shown: { name: string }): boolean {
+    return this.view.scene.extras.results.some((r) => r.quantity === shown.name && r.components.length === 3);
+  }
+
+  extras() {
+    return this.view.scene.extras;
+  }
+
+  state() {
+    const { doc, step, session } = this.store.state;
+    return { presentation: doc, step, deformationFactor: this.view.factor, session };
+  }
+
+  report() {
+    return this.probing.report();
+  }
+
+  pulses() {
+    return this.senses.pulses();
+  }
+
+  fit(): void {
+    this.stage.orbit.fit(this.view.model.sphere());
+  }
+
+  lookFrom(name: ViewName): void {
+    const matrix = this.view.model.group.matrix;
+    if (name === "iso") {
+      this.stage.orbit.lookFrom(modelDirection(matrix, [1, -1, 0]).add(new Vector3(0, 0.75, 0)));
+    } else {
+      const axis = { x: 0, y: 1, z: 2 }[name[1] as "x" | "y" | "z"];
+      const direction: [number, number, number] = [0, 0, 0];
+      direction[axis] = name[0] === "+" ? 1 : -1;
+      this.stage.orbit.lookFrom(modelDirection(matrix, direction));
+    }
+    this.fit();
+  }
+
+  goTo(kind: "node" | "element", id: number): void {
+    const { parts } = this.view.scene;
+    const place = kind === "node" ? findNode(parts, id) : findElement(parts, id);
+    if (!place) {
+      this.store.set({ problem: `${kind} ${id} is not on the skin of this model.` });
+      return;
+    }
+    this.store.set({ problem: null });
+    this.pin(place);
+  }
+
+  pin(place: Place | null): void {
+    if (place) this.probing.move(PIN, "keyboard", place);
+    else this.probing.remove(PIN);
+    if (place) this.#turnTo(place);
+    this.#invalidate();
+  }
+
+  /** Turns the camera so that the place is in front, unless it is in sight already. */
+  #turnTo(place: Place): void {
+    if (this.#inSight(place)) return;
+    const world = this.view.picker.worldOf(place, this.view.model.worldMatrix());
+    const direction = world.sub(this.view.model.sphere().center);
+    if (direction.lengthSq() > 0) this.stage.orbit.lookFrom(direction);
+  }
+
+  #inSight(place: Place): boolean {
+    const matrix = this.view.model.worldMatrix();
+    const world = this.view.picker.worldOf(place, matrix);
+    scratchRay.origin.setFromMatrixPosition(this.stage.camera.matrixWorld);
+    scratchRay.direction.copy(world).sub(scratchRay.origin);
+    const distance = scratchRay.direction.length();
+    scratchRay.direction.normalize();
+    const hit = this.view.picker.ray(scratchRay, matrix);
+    return !hit || hit.distance > distance - 1e-3 * this.view.model.sphere().radius;
+  }
+
+  #attachPointer(): void {
+    const { stage } = this;
+    const pick = (x: number, y: number) =>
+      this.view.picker.ray(stage.rayThrough(x, y, scratchRay), this.view.model.worldMatrix());
+    attachMouse({
+      canvas: stage.canvas,
+      hitsModel: (x, y) => pick(x, y) !== null,
+      hover: (x, y, kind) => {
+        this.#mouseAt = { x, y };
+        this.probing.move(MOUSE, kind, pick(x, y));
+        this.#invalidate();
+      },
+      leave: () => {
+        this.#mouseAt = null;
+        this.probing.move(MOUSE, "mouse", null);
+        this.#invalidate();
+      },
+      hold: (on) => this.#hold(on),
+      turn: (dx, dy) => stage.orbit.turn(dx * 0.008, dy * 0.008),
+      pan: (dx, dy) => stage.orbit.pan(dx, dy, stage.canvas.clientHeight),
+      zoom: (scale, x, y) => stage.orbit.zoom(scale, pick(x, y)?.world ?? null),
+    });
+  }
+
+  /** Hear and feel what the mouse, or else the pin, is on. */
+  #hold(on: boolean): void {
+    const pointer = this.probing.current();
+    if (on && pointer) this.probing.hold(pointer.name, pointer.kind, true);
+    else this.probing.releaseAll();
+    this.#invalidate();
+  }
+
+  #invalidate(): void {
+    this.#stale = true;
+    this.stage.invalidate();
+  }
+
+  #reshown(): void {
+    this.#extremes = extremePlaces(this.view, this.view.shownAs("colour"), this.store.state.step);
+    this.#render();
+    this.#invalidate();
+  }
+
+  #stateChanged(state: ViewState, before: ViewState): void {
+    if (state.step !== before.step || state.doc !== before.doc) void this.view.refresh();
+    if (state.deformMode !== before.deformMode || state.typedFactor !== before.typedFactor)
+      this.view.applyFactor();
+    if (state.theme !== before.theme) applyTheme(state.theme, this.stage);
+    if (state.shading !== before.shading)
+      this.view.model.material.setShadeFloor(state.shading ? this.#shadeFloor() : 1);
+    this.view.model.setEdges(state.edges);
+    this.#render();
+    this.#invalidate();
+  }
+
+  #shadeFloor(): number {
+    const effects = this.store.state.doc.effects;
+    const colour = Array.isArray(effects) ? effects.find((e) => e?.type === "colour") : undefined;
+    return typeof colour?.shadeFloor === "number" ? Math.min(Math.max(colour.shadeFloor, 0), 1) : 0.75;
+  }
+
+  #render(): void {
+    const { state } = this.store;
+    const { extras, parts } = this.view.scene;
+    const triangles = parts.reduce((sum, part) => sum + part.indices.length / 3, 0);
+    const title = extras.title || "Untitled model";
+    document.title = `${title} · Feelem`;
+    this.#page.renderTop(
+      {
+        title,
+        triangles,
+        lengthUnit: extras.lengthUnit?.name ?? null,
+        state,
+        vr: this.#vr.answer.vr,
+        vrHint: this.#vr.answer.hint,
+      },
+      this.actions,
+    );
+    this.#page.renderLeft(
+      {
+        doc: state.doc,
+        shown: this.view.shown,
+        others: otherResults(state.doc, extras),
+        canShape: (s) => this.#canShape(s),
+      },
+      this.#keys,
+      this.actions,
+    );
+    this.#page.renderBottom(
+      {
+        steps: extras.steps,
+        step: state.step,
+        playing: state.playing,
+        canPlay: this.#player.canPlay,
+        deformMode: state.deformMode,
+        factor: this.view.factor,
+        automaticFactor: this.view.automaticFactor,
+        hasShape: this.view.hasShape,
+      },
+      this.actions,
+    );
+    this.#page.renderBanner(state.problem, state.loading, this.actions);
+    this.#renderLegend();
+  }
+
+  #legendModel(): LegendModel | null {
+    const { state } = this.store;
+    const shown = this.view.shownAs("colour");
+    const effect = colourEffect(state.doc);
+    const { palette } = this.view.model.material;
+    if (!shown || !effect || !palette) return null;
+    const { step, factor } = this.view;
+    return {
+      shown,
+      effect,
+      palette,
+      probed: this.probing.report()?.results.find((r) => r.key === shown.key)?.value ?? null,
+      stepText: step ? stepText(step) : "",
+      deformText: factor === 0 ? "undeformed" : `deformation × ${numberText(factor, 4)}`,
+      shading: state.shading,
+    };
+  }
+
+  #renderLegend(): void {
+    this.#page.renderLegend(this.#legendModel(), this.actions);
+  }
+
+  /** Whatever follows the camera or the pointer. */
+  #frame(): void {
+    const { stage, view } = this;
+    view.model.fadeEdges(stage.orbit.pixelSize(stage.canvas.clientHeight));
+    if (stage.renderer.xr.isPresenting || (!this.#stale && !this.store.state.playing)) return;
+    this.#stale = false;
+    const matrix = view.model.worldMatrix();
+    this.#page.renderTriad(stage, matrix, this.actions);
+    const current = this.probing.current();
+    const place = current?.place ?? null;
+    const at = place && stage.project(view.picker.worldOf(place, matrix));
+    this.#page.renderCard(this.#cardModel(), at, () => this.pin(null));
+    this.#page.renderMarkers(this.#markers(at, current?.name === PIN));
+    this.#renderLegend();
+  }
+
+  #markers(reticle: { x: number; y: number } | null, pinned: boolean): Marker[] {
+    const { stage, view } = this;
+    const matrix = view.model.worldMatrix();
+    const markers: Marker[] = [];
+    if (this.store.state.extremes) {
+      for (const { kind, text, detail, place } of this.#extremes) {
+        const at = stage.project(view.picker.worldOf(place, matrix));
+        if (!at) continue;
+        markers.push({
+          kind,
+          text,
+          detail,
+          ...at,
+          hidden: !this.#inSight(place),
+          click: () => this.pin(place),
+        });
+      }
+    }
+    if (reticle)
+      markers.push({
+        kind: pinned ? "pin" : "reticle",
+        text: "",
+        detail: "",
+        ...reticle,
+        hidden: false,
+        click: null,
+      });
+    return markers;
+  }
+
+  get mouseAt() {
+    return this.#mouseAt;
+  }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene from its address, and the state the page starts in.
+import { openScene, type SceneData } from "../scene";
+import { defaultPresentation, type PresentationDoc } from "./presentation-doc";
+import type { ViewState } from "./store";
+import { rememberedTheme } from "./theme";
+
+/** Reads the scene; its side files are looked for beside it. */
+export async function fetchScene(url: string): Promise<SceneData> {
+  const fetchBytes = async (address: string) => {
+    const response = await fetch(address);
+    if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
+    return response.arrayBuffer();
+  };
+  const base = new URL(url, document.baseURI);
+  const bytes = await fetchBytes(base.href).catch((error: Error) => {
+    throw new Error(`The scene '${url}' cannot be read: ${error.message}`);
+  });
+  return openScene(bytes, (uri) => fetchBytes(new URL(uri, base).href));
+}
+
+export function firstState(scene: SceneData): ViewState {
+  const { extras } = scene;
+  const given = extras.presentation as PresentationDoc | undefined;
+  const doc = Array.isArray(given?.results) && given.results.length > 0 ? given : defaultPresentation(extras);
+  const wanted = doc.step as { input?: number; step?: number; substep?: number } | undefined;
+  const shown = extras.steps.find(
+    (s) =>
+      wanted &&
+      (s.input ?? 0) === (wanted.input ?? 0) &&
+      s.number?.[0] === wanted.step &&
+      s.number?.[1] === (wanted.substep ?? 1),
+  );
+  const deformation = doc.deformation as { factor?: number | null } | null | undefined;
+  const typed = typeof deformation?.factor === "number" ? deformation.factor : null;
+  return {
+    doc,
+    step: shown?.id ?? extras.deformation?.step ?? extras.steps.at(-1)?.id ?? 0,
+    deformMode: typed === null ? "auto" : typed === 1 ? "true" : "factor",
+    typedFactor: typed ?? 1,
+    playing: false,
+    edges: true,
+    shading: false,
+    extremes: true,
+    theme: rememberedTheme(),
+    sound: true,
+    touch: true,
+    session: "none",
+    problem:
+      scene.gaps.length > 0 ? `The scene has lost ${scene.gaps.join(", ")}: they cannot be shown.` : null,
+    notice: "",
+    loading: false,
+  };
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which key does what.
+import type { KeyCommand } from "../input/keyboard";
+import type { Actions } from "../ui";
+
+export function keyCommands(actions: Actions, hold: (on: boolean) => void): KeyCommand[] {
+  const focusSearch = () => document.querySelector<HTMLInputElement>(".goto input")?.focus();
+  return [
+    { keys: ["s"], shown: "S", text: "hold: hear and feel", down: () => hold(true), up: () => hold(false) },
+    { keys: [" "], shown: "Space", text: "play, pause", down: () => actions.togglePlay() },
+    { keys: [","], shown: ",", text: "step before", down: () => actions.stepBy(-1) },
+    { keys: ["."], shown: ".", text: "step after", down: () => actions.stepBy(1) },
+    { keys: ["f"], shown: "F", text: "fit", down: () => actions.fit() },
+    { keys: ["1"], shown: "1", text: "true scale", down: () => actions.setDeform("true") },
+    { keys: ["0"], shown: "0", text: "undeformed", down: () => actions.setDeform("off") },
+    { keys: ["5"], shown: "5", text: "deformation 5 %", down: () => actions.setDeform("auto") },
+    { keys: ["x"], shown: "X", text: "largest and smallest value", down: () => actions.toggle("extremes") },
+    { keys: ["e"], shown: "E", text: "element edges", down: () => actions.toggle("edges") },
+    { keys: ["l"], shown: "L", text: "shading", down: () => actions.toggle("shading") },
+    { keys: ["m"], shown: "M", text: "mute", down: () => actions.toggle("sound") },
+    { keys: ["v"], shown: "V", text: "touch on, off", down: () => actions.toggle("touch") },
+    { keys: ["g"], shown: "G", text: "go to an id", down: focusSearch },
+    { keys: ["t"], shown: "T", text: "dark, light", down: () => actions.cycleTheme() },
+    { keys: ["Escape"], shown: "Esc", text: "let go of the pin", down: () => actions.unpin() },
+  ];
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The controls' wishes, turned into changes of state.
+import type { Actions } from "../ui";
+import type { App } from "./app";
+import type { Player } from "./player";
+import { addResult, assign, release, setColour, setRange, slotsOf } from "./presentation-doc";
+
+const THEMES = { auto: "light", light: "dark", dark: "auto" } as const;
+
+export function makeActions(app: App, player: Player): Actions {
+  const store = () => app.store;
+  const doc = () => app.store.state.doc;
+  return {
+    assign: (key, slot) => store().set({ doc: assign(doc(), key, slot) }),
+    release: (slot) => store().set({ doc: release(doc(), slot) }),
+    releaseAll: (key) =>
+      store().set({ doc: slotsOf(doc(), key).reduce((d, slot) => release(d, slot), doc()) }),
+    addResult: (result, component) => store().set({ doc: addResult(doc(), result, component).doc }),
+    setRange: (key, change) => store().set({ doc: setRange(doc(), key, change) }),
+    setColour: (change) => store().set({ doc: setColour(doc(), change) }),
+    setStep: (step) => store().set({ step }),
+    stepBy: (count) => player.stepBy(count),
+    togglePlay: () => store().set({ playing: !store().state.playing && player.canPlay }),
+    setDeform: (deformMode, factor) =>
+      store().set(factor === undefined ? { deformMode } : { deformMode, typedFactor: factor }),
+    toggle: (what) => store().set({ [what]: !store().state[what] }),
+    cycleTheme: () => store().set({ theme: THEMES[store().state.theme] }),
+    fit: () => app.fit(),
+    view: (name) => app.lookFrom(name),
+    goTo: (kind, id) => app.goTo(kind, id),
+    unpin: () => app.pin(null),
+    enterVr: () => void app.enterVr(),
+    dismissProblem: () => store().set({ problem: null }),
+  };
+}

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scene + state -> what is drawn: loads the results of a step, sets ranges, colour and deformation.
+import { automaticDeformationFactor, type ValueRange } from "../present";
+import { Picker } from "../probe";
+import { ModelObject } from "../render";
+import { MISSING, type PartField, type SceneData, type SceneResult, type SceneStep } from "../scene";
+import { colourEffect, drivenBy, findResult, type Presented, presentedOf } from "./presentation-doc";
+import { type Fields, rangeOf } from "./ranges";
+import type { Store } from "./store";
+
+/** A result of the presentation with its values and range at the step that is shown. */
+export interface Shown extends Presented {
+  readonly fields: Fields;
+  readonly range: ValueRange;
+}
+
+export class ModelView {
+  readonly scene: SceneData;
+  readonly model: ModelObject;
+  readonly picker: Picker;
+  readonly #store: Store;
+  readonly #changed: () => void;
+  #shown: readonly Shown[] = [];
+  #displacements: readonly (Float32Array | null)[] = [];
+  #largestDisplacement = 0;
+  #loadedStep = Number.NaN;
+  #turn = 0;
+  /** Position in the swing of a mode, -1..1; 1 at rest. */
+  #phase = 1;
+
+  constructor(scene: SceneData, store: Store, changed: () => void) {
+    this.scene = scene;
+    this.#store = store;
+    this.#changed = changed;
+    this.model = new ModelObject(scene);
+    this.picker = new Picker(scene.parts);
+  }
+
+  get shown(): readonly Shown[] {
+    return this.#shown;
+  }
+
+  shownAs(slot: "colour" | "pitch" | "ticks" | "pulses" | "shape"): Shown | null {
+    const key = drivenBy(this.#store.state.doc, slot);
+    return this.#shown.find((s) => s.key === key && s.result) ?? null;
+  }
+
+  get step(): SceneStep | null {
+    return this.scene.extras.steps.find((s) => s.id === this.#store.state.step) ?? null;
+  }
+
+  /** What 5 % of the largest side makes of this step's displacement; 0 without one. */
+  get automaticFactor(): number {
+    return automaticDeformationFactor(this.model.largestSide, this.#largestDisplacement);
+  }
+
+  get hasShape(): boolean {
+    return this.#displacements.some((d) => d !== null);
+  }
+
+  /** The deformation factor in force. */
+  get factor(): number {
+    const { deformMode, typedFactor } = this.#store.state;
+    if (!this.hasShape || deformMode === "off") return 0;
+    if (deformMode === "true") return 1;
+    return deformMode === "auto" ? this.automaticFactor : typedFactor;
+  }
+
+  #shapeResult(): SceneResult | null {
+    const key = drivenBy(this.#store.state.doc, "shape");
+    const wanted = presentedOf(this.#store.state.doc, this.scene.extras).find((p) => p.key === key);
+    if (!wanted) return null;
+    const isVector = (r: SceneResult) =>
+      r.components.length === 3 && ["x", "y", "z"].every((c) => r.components.includes(c));
+    const { results } = this.scene.extras;
+    return (
+      results.find((r) => r.quantity === wanted.name && isVector(r)) ??
+      results.find((r) => r.id === wanted.name && isVector(r)) ??
+      null
+    );
+  }
+
+  /** Loads what the state asks for and shows it; a result that cannot be read is said and left out. */
+  async refresh(): Promise<void> {
+    this.#turn += 1;
+    const turn = this.#turn;
+    const { doc, step } = this.#store.state;
+    const presented = presentedOf(doc, this.scene.extras);
+    const shape = this.#shapeResult();
+    const wanted = new Set<SceneResult>(presented.flatMap((p) => p.result ?? []));
+    if (shape) wanted.add(shape);
+    const problems: string[] = [];
+    const loaded = new Map<SceneResult, Fields>();
+    const nothing: Fields = this.scene.parts.map(() => null);
+    await Promise.all(
+      [...wanted].map(async (result) => {
+        try {
+          loaded.set(result, await this.scene.loadField(result, step));
+        } catch (error) {
+          problems.push(`${result.name}: ${error instanceof Error ? error.message : String(error)}`);
+          loaded.set(result, nothing);
+        }
+      }),
+    );
+    if (turn !== this.#turn) return;
+    this.#shown = presented.map((p) => {
+      const fields = (p.result && loaded.get(p.result)) ?? nothing;
+      return { ...p, fields, range: rangeOf(p, step, fields) };
+    });
+    this.#applyShape(shape ? (loaded.get(shape) ?? null) : null, shape, step);
+    this.#loadedStep = step;
+    this.#applyColour();
+    this.applyFactor();
+    if (problems.length > 0) this.#store.set({ problem: problems.join("; ") });
+    this.#changed();
+  }
+
+  #applyShape(fields: Fields | null, shape: SceneResult | null, step: number): void {
+    this.#displacements = this.scene.parts.map((_, i) => (fields?.[i] ? toVectors(fields[i]) : null));
+    this.#largestDisplacement = 0;
+    if (shape) {
+      const magnitude = findResult(this.scene.extras, shape.quantity ?? shape.id, "magnitude");
+      const stated = magnitude?.result.values.find((v) => v.step === step)?.max?.value;
+      this.#largestDisplacement = stated ?? largestOf(this.#displacements);
+    }
+    this.model.setDisplacements(this.#displacements);
+  }
+
+  #applyColour(): void {
+    const colour = this.shownAs("colour");
+    this.model.setColour(colour ? colourEffect(this.#store.state.doc) : null, colour?.range ?? null);
+    this.model.setValues(colour?.fields ?? null, colour?.componentIndex ?? 0);
+  }
+
+  /** Draws the deformation; `phase` swings a mode between -1 and 1. */
+  applyFactor(phase = this.#phase): void {
+    this.#phase = phase;
+    const factor = this.factor * phase;
+    this.model.setFactor(factor);
+    this.picker.setShape(this.#displacements, factor);
+  }
+
+  get ready(): boolean {
+    return this.#loadedStep === this.#store.state.step;
+  }
+
+  dispose(): void {
+    this.model.dispose();
+    this.picker.dispose();
+  }
+}
+
+function toVectors(field: PartField): Float32Array {
+  const count = field.state.length;
+  const out = new Float32Array(3 * count);
+  for (let i = 0; i < count; ++i) {
+    for (let c = 0; c < 3; ++c)
+      out[3 * i + c] = field.state[i] === MISSING ? 0 : (field.values[i * field.components + c] ?? 0);
+  }
+  return out;
+}
+
+function largestOf(displacements: readonly (Float32Array | null)[]): number {
+  let largest = 0;
+  for (const vectors of displacements) {
+    for (let i = 0; vectors && i + 2 < vectors.length; i += 3) {
+      largest = Math.max(largest, Math.hypot(vectors[i] ?? 0, vectors[i + 1] ?? 0, vectors[i + 2] ?? 0));
+    }
+  }
+  return largest;
+}

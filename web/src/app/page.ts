@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// The areas of the page, and rendering of state into them.
+import { html, render } from "lit";
+import type { Matrix4 } from "three";
+import type { KeyCommand } from "../input/keyboard";
+import type { Stage } from "../render";
+import {
+  type Actions,
+  type CardModel,
+  cardSentence,
+  cardTemplate,
+  type LegendModel,
+  legendTemplate,
+  type Marker,
+  markersTemplate,
+  paintLegend,
+  resultTableTemplate,
+  type StepBarModel,
+  stepBarTemplate,
+  type TableModel,
+  type TopBarModel,
+  topBarTemplate,
+  triadTemplate,
+} from "../ui";
+
+/** Speech follows at most twice a second. */
+const SAY_EVERY_MS = 500;
+
+function area(name: string, host: HTMLElement): HTMLElement {
+  const element = document.createElement("div");
+  element.className = `area-${name}`;
+  host.append(element);
+  return element;
+}
+
+function child(className: string, host: HTMLElement): HTMLElement {
+  const element = document.createElement("div");
+  element.className = className;
+  host.append(element);
+  return element;
+}
+
+export class Page {
+  readonly stageHost: HTMLElement;
+  readonly #top: HTMLElement;
+  readonly #left: HTMLElement;
+  readonly #right: HTMLElement;
+  readonly #bottom: HTMLElement;
+  readonly #markers: HTMLElement;
+  readonly #triad: HTMLElement;
+  readonly #card: HTMLElement;
+  readonly #banner: HTMLElement;
+  readonly #said: HTMLElement;
+  #sayTimer = 0;
+  #toSay = "";
+
+  constructor(host: HTMLElement) {
+    host.replaceChildren();
+    this.#top = area("top", host);
+    this.#left = area("left", host);
+    this.stageHost = area("stage", host);
+    this.#right = area("right", host);
+    this.#bottom = area("bottom", host);
+    const overlay = child("overlay", this.stageHost);
+    this.#markers = child("markers", overlay);
+    this.#triad = child("triad-host", overlay);
+    this.#card = child("card", overlay);
+    this.#card.hidden = true;
+    this.#banner = child("banners", overlay);
+    this.#said = child("said", host);
+    this.#said.setAttribute("role", "status");
+    this.#said.setAttribute("aria-live", "polite");
+  }
+
+  renderTop(model: TopBarModel, actions: Actions): void {
+    render(topBarTemplate(model, actions), this.#top);
+  }
+
+  renderLeft(model: TableModel, keys: readonly KeyCommand[], actions: Actions): void {
+    render(
+      html`${resultTableTemplate(model, actions)}
+        <details class="help" open><summary>Mouse and keys</summary><dl>
+          <dt>Point at the model</dt><dd>read every value there</dd>
+          <dt>Press on the model</dt><dd>hear and feel; drag to sweep</dd>
+          <dt>Drag beside it, middle button</dt><dd>turn</dd>
+          <dt>Right drag, wheel</dt><dd>move, zoom</dd>
+          ${keys.map((k) => html`<dt><kbd>${k.shown}</kbd></dt><dd>${k.text}</dd>`)}
+        </dl></details>`,
+      this.#left,
+    );
+  }
+
+  renderLegend(model: LegendModel | null, actions: Actions): void {
+    render(legendTemplate(model, actions), this.#right);
+    const canvas = this.#right.querySelector("canvas");
+    if (model && canvas) paintLegend(canvas, model.palette);
+  }
+
+  renderBottom(model: StepBarModel, actions: Actions): void {
+    render(stepBarTemplate(model, actions), this.#bottom);
+  }
+
+  renderTriad(stage: Stage, matrix: Matrix4, actions: Actions): void {
+    render(triadTemplate(stage.camera, matrix, actions), this.#triad);
+  }
+
+  renderMarkers(markers: readonly Marker[]): void {
+    render(markersTemplate(markers), this.#markers);
+  }
+
+  renderBanner(problem: string | null, loading: boolean, actions: Actions): void {
+    render(
+      html`${problem ? html`<div class="banner" role="alert"><span>${problem}</span><button type="button" class="plain" @click=${() => actions.dismissProblem()}>close</button></div>` : null}
+      ${loading ? html`<p class="busy">reading the scene …</p>` : null}`,
+      this.#banner,
+    );
+  }
+
+  /** The card beside a place of the stage, kept inside it; null hides it. */
+  renderCard(model: CardModel | null, at: { x: number; y: number } | null, unpin: () => void): void {
+    this.#card.hidden = !model || !at;
+    if (!model || !at) return;
+    render(cardTemplate(model, unpin), this.#card);
+    this.#card.classList.toggle("pinned", model.pinned);
+    this.#card.classList.toggle(
+      "alarmed",
+      model.rows.some((row) => row.alarm !== null),
+    );
+    const { clientWidth, clientHeight } = this.stageHost;
+    const { offsetWidth, offsetHeight } = this.#card;
+    const inside = (v: number, size: number, room: number) =>
+      Math.min(Math.max(4, v), Math.max(4, room - size - 4));
+    const narrow = clientWidth < 2 * offsetWidth;
+    const right = at.x + 24 + offsetWidth < clientWidth;
+    const beside = right ? at.x + 20 : at.x - 20 - offsetWidth;
+    const above = at.y - offsetHeight - 28;
+    const x = inside(narrow ? at.x - offsetWidth / 2 : beside, offsetWidth, clientWidth);
+    const y = inside(
+      narrow ? (above > 0 ? above : at.y + 28) : at.y - offsetHeight / 3,
+      offsetHeight,
+      clientHeight,
+    );
+    this.#card.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+    this.say(cardSentence(model));
+  }
+
+  /** There is no scene to show. */
+  showFailure(text: string): void {
+    render(html`<div class="banner" role="alert"><span>${text}</span></div>`, this.#banner);
+  }
+
+  say(sentence: string): void {
+    this.#toSay = sentence;
+    if (this.#sayTimer) return;
+    this.#sayTimer = window.setTimeout(() => {
+      this.#sayTimer = 0;
+      if (this.#said.textContent !== this.#toSay) this.#said.textContent = this.#toSay;
+    }, SAY_EVERY_MS);
+  }
+}

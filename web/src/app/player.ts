@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Play: a mode swings between its two ends, any other result goes through its steps. Nothing in between is made up.
+import type { Stage } from "../render";
+import type { ModelView } from "./model-view";
+import type { Store } from "./store";
+
+/** Swings a second of a mode: never its real frequency. */
+const SWINGS = 0.5;
+/** Seconds a step stays. */
+const STEP_SECONDS = 0.6;
+
+export class Player {
+  readonly #view: ModelView;
+  readonly #store: Store;
+  readonly #stage: Stage;
+  #stopRunning: (() => void) | null = null;
+  #started: number | null = null;
+  #lastStep = 0;
+
+  constructor(view: ModelView, store: Store, stage: Stage) {
+    this.#view = view;
+    this.#store = store;
+    this.#stage = stage;
+    stage.onFrame((seconds) => this.#frame(seconds));
+    store.subscribe((state, before) => {
+      if (state.playing !== before.playing) this.#switch(state.playing);
+    });
+  }
+
+  get canPlay(): boolean {
+    return (
+      this.#view.scene.extras.steps.length > 1 || (this.#view.step?.kind === "mode" && this.#view.hasShape)
+    );
+  }
+
+  get #swings(): boolean {
+    return this.#view.step?.kind === "mode" && this.#view.hasShape && this.#view.factor !== 0;
+  }
+
+  #switch(on: boolean): void {
+    this.#stopRunning?.();
+    this.#stopRunning = on ? this.#stage.keepRunning() : null;
+    this.#started = null;
+    if (!on) this.#view.applyFactor(1);
+    this.#stage.invalidate();
+  }
+
+  #frame(seconds: number): void {
+    if (!this.#store.state.playing) return;
+    this.#started ??= seconds;
+    if (this.#swings) {
+      this.#view.applyFactor(Math.cos(2 * Math.PI * SWINGS * (seconds - this.#started)));
+      return;
+    }
+    if (!this.#view.ready || seconds - this.#lastStep < STEP_SECONDS) return;
+    this.#lastStep = seconds;
+    this.stepBy(1);
+  }
+
+  /** Forward or back, round at the ends. */
+  stepBy(count: number): void {
+    const { steps } = this.#view.scene.extras;
+    const index = steps.findIndex((s) => s.id === this.#store.state.step);
+    const next = steps[(((index + count) % steps.length) + steps.length) % steps.length];
+    if (next) this.#store.set({ step: next.id });
+  }
+}

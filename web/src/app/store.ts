@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of the page in one object; whoever shows it subscribes.
+import type { PresentationDoc } from "./presentation-doc";
+
+export type DeformMode = "off" | "true" | "auto" | "factor";
+
+export interface ViewState {
+  readonly doc: PresentationDoc;
+  /** Id of the step that is shown. */
+  readonly step: number;
+  readonly deformMode: DeformMode;
+  /** The typed factor, for deformMode "factor". */
+  readonly typedFactor: number;
+  readonly playing: boolean;
+  readonly edges: boolean;
+  readonly shading: boolean;
+  readonly extremes: boolean;
+  readonly theme: "auto" | "light" | "dark";
+  readonly sound: boolean;
+  readonly touch: boolean;
+  readonly session: "none" | "immersive-vr";
+  /** What went wrong last, for people; null: nothing. */
+  readonly problem: string | null;
+  /** What happened last, for people and screen readers. */
+  readonly notice: string;
+  readonly loading: boolean;
+}
+
+export type Listener = (state: ViewState, before: ViewState) => void;
+
+export class Store {
+  #state: ViewState;
+  readonly #listeners = new Set<Listener>();
+
+  constructor(state: ViewState) {
+    this.#state = state;
+  }
+
+  get state(): ViewState {
+    return this.#state;
+  }
+
+  set(change: Partial<ViewState>): void {
+    const before = this.#state;
+    this.#state = { ...before, ...change };
+    for (const listener of this.#listeners) listener(this.#state, before);
+  }
+
+  subscribe(listener: Listener): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the page into the headset and back.
+import { askForVr, requestVr, type VrAnswer, type VrHost, VrSession } from "../xr";
+import type { App } from "./app";
+import { applyTheme } from "./theme";
+
+export type Boards = Omit<VrHost, "app">;
+
+export class VrEntry {
+  answer: VrAnswer = { vr: "unknown", hint: "" };
+  readonly #app: App;
+  readonly #boards: Boards;
+  readonly #changed: () => void;
+
+  constructor(app: App, boards: Boards, changed: () => void) {
+    this.#app = app;
+    this.#boards = boards;
+    this.#changed = changed;
+  }
+
+  async ask(): Promise<void> {
+    const again = async () => {
+      this.answer = await askForVr();
+      this.#changed();
+    };
+    navigator.xr?.addEventListener("devicechange", again);
+    await again();
+  }
+
+  /** Called from a click: browsers give a headset only to a gesture. */
+  async enter(): Promise<void> {
+    const { senses, stage, store } = this.#app;
+    senses.wake();
+    try {
+      const session = await requestVr();
+      stage.renderer.xr.setReferenceSpaceType("local-floor");
+      await stage.renderer.xr.setSession(session);
+      store.set({ session: "immersive-vr", problem: null });
+      senses.watch(session);
+      new VrSession({ app: this.#app, ...this.#boards }, session, () => this.#left());
+    } catch (error) {
+      const reason = error instanceof Error ? error.message : String(error);
+      store.set({ problem: `The headset cannot be entered: ${reason}` });
+    }
+  }
+
+  #left(): void {
+    const { senses, stage, store } = this.#app;
+    senses.watch(null);
+    store.set({ session: "none" });
+    applyTheme(store.state.theme, stage);
+    stage.refit();
+    this.#changed();
+  }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys of the page. One table serves the handler and the help.
+
+export interface KeyCommand {
+  readonly keys: readonly string[];
+  readonly text: string;
+  readonly shown: string;
+  readonly down: () => void;
+  readonly up?: () => void;
+}
+
+const TYPING = "input:not([type=range]):not([type=checkbox]), select, textarea";
+
+/** Keys typed into a field stay there. Returns its own removal. */
+export function attachKeyboard(commands: readonly KeyCommand[]): () => void {
+  const held = new Map<string, KeyCommand>();
+  const find = (key: string) =>
+    commands.find((c) => c.keys.includes(key.length === 1 ? key.toLowerCase() : key));
+  const down = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const target = event.target instanceof Element ? event.target : null;
+    if (target?.matches(TYPING)) return;
+    if (event.key === " " && target?.closest("button, summary, [role=button]")) return;
+    const command = find(event.key);
+    if (!command) return;
+    event.preventDefault();
+    if (event.repeat && command.up) return;
+    if (command.up) held.set(event.key.toLowerCase(), command);
+    command.down();
+  };
+  const up = (event: KeyboardEvent) => {
+    const key = event.key.toLowerCase();
+    held.get(key)?.up?.();
+    held.delete(key);
+  };
+  const blur = () => {
+    for (const command of held.values()) command.up?.();
+    held.clear();
+  };
+  window.addEventListener("keydown", down);
+  window.addEventListener("keyup", up);
+  window.addEventListener("blur", blur);
+  return () => {
+    window.removeEventListener("keydown", down);
+    window.removeEventListener("keyup", up);
+    window.removeEventListener("blur", blur);
+  };
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// A turntable camera: turn about the world's up axis, zoom to a point, pan in the screen's plane. No DOM.
+import { Euler, type PerspectiveCamera, type Sphere, Vector3 } from "three";
+
+const HALF_TURN = Math.PI / 2;
+const scratch = new Vector3();
+const scratchEuler = new Euler(0, 0, 0, "YXZ");
+
+export class Orbit {
+  readonly target = new Vector3();
+  yaw = Math.PI / 5;
+  pitch = 0.42;
+  distance = 1;
+  readonly #camera: PerspectiveCamera;
+  #radius = 1;
+  #changed: () => void;
+
+  constructor(camera: PerspectiveCamera, changed: () => void) {
+    this.#camera = camera;
+    this.#changed = changed;
+  }
+
+  /** Metres that one pixel covers at the target. */
+  pixelSize(height: number): number {
+    return (2 * this.distance * Math.tan((this.#camera.fov * Math.PI) / 360)) / Math.max(height, 1);
+  }
+
+  turn(radiansX: number, radiansY: number): void {
+    this.yaw -= radiansX;
+    this.pitch = Math.min(Math.max(this.pitch + radiansY, -HALF_TURN), HALF_TURN);
+    this.apply();
+  }
+
+  pan(pixelsX: number, pixelsY: number, height: number): void {
+    const size = this.pixelSize(height);
+    scratch.setFromMatrixColumn(this.#camera.matrix, 0);
+    this.target.addScaledVector(scratch, -pixelsX * size);
+    scratch.setFromMatrixColumn(this.#camera.matrix, 1);
+    this.target.addScaledVector(scratch, pixelsY * size);
+    this.apply();
+  }
+
+  /** `at` keeps its place on the screen; null: the target does. */
+  zoom(scale: number, at: Vector3 | null): void {
+    const next = Math.min(Math.max(this.distance * scale, this.#radius * 0.01), this.#radius * 60);
+    const share = next / this.distance;
+    if (at) this.target.sub(at).multiplyScalar(share).add(at);
+    this.distance = next;
+    this.apply();
+  }
+
+  /** The whole sphere fills the view; the direction stays. */
+  fit(sphere: Sphere): void {
+    this.#radius = Math.max(sphere.radius, 1e-9);
+    this.target.copy(sphere.center);
+    const vertical = (this.#camera.fov * Math.PI) / 360;
+    const horizontal = Math.atan(Math.tan(vertical) * this.#camera.aspect);
+    this.distance = (this.#radius * 0.98) / Math.sin(Math.min(vertical, horizontal));
+    this.apply();
+  }
+
+  /** Looks at the model from this direction (world axes, need not be of unit length). */
+  lookFrom(direction: Vector3): void {
+    scratch.copy(direction).normalize();
+    this.pitch = Math.asin(Math.min(Math.max(scratch.y, -1), 1));
+    if (Math.hypot(scratch.x, scratch.z) > 1e-6) this.yaw = Math.atan2(scratch.x, scratch.z);
+    this.apply();
+  }
+
+  apply(): void {
+    const camera = this.#camera;
+    scratchEuler.set(-this.pitch, this.yaw, 0);
+    camera.quaternion.setFromEuler(scratchEuler);
+    scratch.set(0, 0, 1).applyQuaternion(camera.quaternion);
+    camera.position.copy(this.target).addScaledVector(scratch, this.distance);
+    camera.near = Math.max(this.distance - 3 * this.#radius, this.distance * 0.01, this.#radius * 1e-4);
+    camera.far = this.distance + 4 * this.#radius;
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    this.#changed();
+  }
+}

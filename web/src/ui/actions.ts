@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the controls of the page can ask for; the app does it.
+import type { RangeMode, Slot } from "../app/presentation-doc";
+import type { DeformMode } from "../app/store";
+import type { SceneResult } from "../scene";
+
+export type ViewName = "+x" | "-x" | "+y" | "-y" | "+z" | "-z" | "iso";
+
+export interface Actions {
+  assign(key: string, slot: Slot): void;
+  release(slot: Slot): void;
+  releaseAll(key: string): void;
+  addResult(result: SceneResult, component: string): void;
+  setRange(key: string, change: { mode: RangeMode; lo?: number; hi?: number; scale?: string }): void;
+  setColour(change: { map?: string; bands?: number; invert?: boolean }): void;
+  setStep(id: number): void;
+  stepBy(count: number): void;
+  togglePlay(): void;
+  setDeform(mode: DeformMode, factor?: number): void;
+  toggle(what: "edges" | "shading" | "extremes" | "sound" | "touch"): void;
+  cycleTheme(): void;
+  fit(): void;
+  view(name: ViewName): void;
+  goTo(kind: "node" | "element", id: number): void;
+  unpin(): void;
+  enterVr(): void;
+  dismissProblem(): void;
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// The legend: drawn from the palette of the mesh, with its range, bands and map to be typed.
+import { html, type TemplateResult } from "lit";
+import type { Shown } from "../app/model-view";
+import type { RangeMode } from "../app/presentation-doc";
+import { type ColourEffect, colourMaps, type Rgb } from "../present";
+import { type Palette, texelOf } from "../render";
+import type { Actions } from "./actions";
+import { axisTexts, numberText, unitText } from "./format";
+import { labelPositions, positionOf, valueAtPosition } from "./scale-axis";
+
+export interface LegendModel {
+  readonly shown: Shown;
+  readonly effect: ColourEffect;
+  readonly palette: Palette;
+  readonly stepText: string;
+  readonly deformText: string;
+  /** Value under the pointer. */
+  readonly probed: number | null;
+  readonly shading: boolean;
+}
+
+/** Paints one row of pixels after the other, each in the texel the mesh would take there. */
+export function paintLegend(canvas: HTMLCanvasElement, palette: Palette): void {
+  const height = Math.max(1, Math.round(canvas.clientHeight * window.devicePixelRatio));
+  const width = Math.max(1, Math.round(canvas.clientWidth * window.devicePixelRatio));
+  canvas.width = width;
+  canvas.height = height;
+  const context = canvas.getContext("2d");
+  if (!context) return;
+  const pixels = context.createImageData(width, height);
+  for (let y = 0; y < height; ++y) {
+    const from = 4 * texelOf(1 - (y + 0.5) / height, palette);
+    for (let x = 0; x < width; ++x)
+      pixels.data.set(palette.texels.subarray(from, from + 4), 4 * (y * width + x));
+  }
+  context.putImageData(pixels, 0, 0);
+}
+
+const css = (rgb: Rgb) => `background-color: rgb(${rgb[0]} ${rgb[1]} ${rgb[2]})`;
+const percent = (t: number) => `bottom: ${(t * 100).toFixed(3)}%`;
+
+const MODES: readonly [RangeMode, string][] = [
+  ["auto", "this step"],
+  ["allSteps", "all steps"],
+  ["manual", "typed"],
+  ["percentile", "percentile"],
+];
+
+function typed(event: Event): number | null {
+  const value = Number((event.target as HTMLInputElement).value.trim().replace(",", "."));
+  return (event.target as HTMLInputElement).value.trim() !== "" && Number.isFinite(value) ? value : null;
+}
+
+function rangeField(model: LegendModel, end: "lo" | "hi", actions: Actions): TemplateResult {
+  const { range, key } = model.shown;
+  const change = (event: Event) => {
+    const value = typed(event);
+    if (value !== null) actions.setRange(key, { mode: "manual", lo: range.lo, hi: range.hi, [end]: value });
+    else (event.target as HTMLInputElement).value = numberText(range[end]);
+  };
+  return html`<label class="legend-end"
+    ><span>${end === "hi" ? "to" : "from"}</span
+    ><input class="number" inputmode="decimal" aria-label=${end === "hi" ? "upper end of the range" : "lower end of the range"}
+      .value=${numberText(range[end])} @change=${change}
+  /></label>`;
+}
+
+function settings(model: LegendModel, actions: Actions): TemplateResult {
+  const { shown, effect } = model;
+  const bands = (event: Event) => {
+    const value = typed(event);
+    actions.setColour({ bands: Math.min(Math.max(Math.round(value ?? effect.bands), 0), 64) });
+  };
+  return html`<div class="legend-settings">
+    ${rangeField(model, "hi", actions)} ${rangeField(model, "lo", actions)}
+    <label><span>range</span
+      ><select aria-label="where the range comes from"
+        @change=${(e: Event) => actions.setRange(shown.key, { mode: (e.target as HTMLSelectElement).value as RangeMode, lo: shown.range.lo, hi: shown.range.hi })}
+        >${MODES.filter(([mode]) => mode !== "percentile" || shown.rangeMode === "percentile").map(
+          ([mode, text]) =>
+            html`<option value=${mode} ?selected=${shown.rangeMode === mode}>${text}</option>`,
+        )}</select></label>
+    <label><span>scale</span
+      ><select aria-label="scale" @change=${(e: Event) => actions.setRange(shown.key, { mode: shown.rangeMode, scale: (e.target as HTMLSelectElement).value })}
+        >${[
+          ["linear", "lin"],
+          ["log", "log"],
+          ["signed", "signed"],
+          ["symlog", "symlog"],
+        ].map(
+          ([scale, word]) =>
+            html`<option value=${word ?? ""} ?selected=${shown.scale === scale}>${scale}</option>`,
+        )}</select></label>
+    <label><span>bands</span
+      ><input class="number" type="number" min="0" max="64" step="1" title="0: smooth" aria-label="number of bands, 0 for smooth"
+        .value=${String(effect.bands)} @change=${bands} /></label>
+    <label><span>map</span
+      ><select aria-label="colour map" @change=${(e: Event) => actions.setColour({ map: (e.target as HTMLSelectElement).value })}
+        >${colourMaps().map((map) => html`<option value=${map} ?selected=${effect.map === map}>${map.replace("_", " ")}</option>`)}</select></label>
+    <label class="check"><input type="checkbox" .checked=${effect.invert}
+        @change=${(e: Event) => actions.setColour({ invert: (e.target as HTMLInputElement).checked })} />reversed</label>
+  </div>`;
+}
+
+export function legendTemplate(model: LegendModel | null, actions: Actions): TemplateResult {
+  if (!model)
+    return html`<aside class="legend empty" aria-label="Legend"><p>No result is seen. Choose one under <b>Colour</b>.</p></aside>`;
+  const { shown, effect } = model;
+  const positions = labelPositions(effect.bands);
+  const texts = axisTexts(positions.map((t) => valueAtPosition(t, shown.range)));
+  const probe = positionOf(model.probed, shown.range);
+  const unit = unitText(shown.unit);
+  return html`<aside class="legend" aria-label="Legend">
+    <h2>${shown.label}<span class="unit">${unit || "unit not given"}</span></h2>
+    <p class="legend-step">${model.stepText}</p>
+    <div class="legend-scale">
+      <div class="legend-bar">
+        <canvas class="legend-canvas" role="img" aria-label="colours of ${shown.label}"></canvas>
+        ${probe === null ? null : html`<i class="legend-mark" .style=${percent(probe)}></i>`}
+      </div>
+      <ol class="legend-labels" aria-label="values">
+        ${positions.map((t, i) => html`<li .style=${percent(t)}>${texts[i]}</li>`)}
+      </ol>
+    </div>
+    <ul class="legend-special">
+      <li><i .style=${css(effect.above)}></i>above</li>
+      <li><i .style=${css(effect.below)}></i>below</li>
+      <li><i class="hatch" .style=${css(effect.missing)}></i>no value</li>
+    </ul>
+    ${settings(model, actions)}
+    <p class="legend-note">${shown.result?.location ?? ""}${shown.result?.averaging ? ` · averaged by ${shown.result.averaging}` : ""}</p>
+    <p class="legend-note">${model.deformText}</p>
+    ${model.shading ? html`<p class="legend-note">shaded: colours on the model are darker than here</p>` : null}
+  </aside>`;
+}

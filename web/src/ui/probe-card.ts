@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The card under the pointer: every result with number and unit, node and element id.
+import { html, type TemplateResult } from "lit";
+import type { ProbeReport } from "../app/probe-report";
+import { numberText, unitText } from "./format";
+import { type IconName, icon } from "./icons";
+
+export interface CardRow {
+  readonly label: string;
+  readonly unit: string | null;
+  readonly value: number | null;
+  readonly nodeValue: number | null;
+  readonly state: string;
+  readonly senses: readonly IconName[];
+  /** "> 250 MPa yield" while the value is past the limit. */
+  readonly alarm: string | null;
+}
+
+export interface CardModel {
+  readonly report: ProbeReport;
+  readonly rows: readonly CardRow[];
+  readonly pinned: boolean;
+  readonly lengthUnit: string | null;
+  /** Null while nothing sounds. */
+  readonly sounding: string | null;
+}
+
+function rowTemplate(row: CardRow): TemplateResult {
+  const about = row.state === "interpolated" ? "~" : "";
+  return html`<tr class=${row.alarm ? "alarm" : ""}>
+    <th scope="row">${row.senses.map((name) => icon(name))}<span>${row.label}</span></th>
+    <td class=${row.value === null ? "none" : "value"}>${row.value === null ? "no value" : `${about}${numberText(row.value)}`}
+      <span class="unit">${row.value === null ? "" : unitText(row.unit)}</span></td>
+    <td class="at-node">${row.nodeValue === null ? "–" : numberText(row.nodeValue)}</td>
+  </tr>
+  ${row.alarm ? html`<tr class="alarm-text"><td colspan="3">${row.alarm}</td></tr>` : null}`;
+}
+
+export function cardTemplate(model: CardModel, unpin: () => void): TemplateResult {
+  const { report } = model;
+  const node = report.nodeId === null ? "–" : String(report.nodeId);
+  return html`<table>
+      <thead><tr><th scope="col"></th><th scope="col">here</th><th scope="col">node ${node}</th></tr></thead>
+      <tbody>${model.rows.map(rowTemplate)}</tbody>
+    </table>
+    <p class="card-place"><span>node <b>${node}</b></span><span>element <b>${report.elementId ?? "–"}</b></span>
+      <span class="xyz">${report.point.map((v) => numberText(v, 5)).join(" · ")} ${unitText(model.lengthUnit)}</span></p>
+    ${model.sounding ? html`<p class="card-sound">${model.sounding}</p>` : null}
+    ${model.pinned ? html`<button type="button" class="plain close" aria-label="let go of this place" @click=${unpin}>${icon("close")}</button>` : null}`;
+}
+
+/** One sentence for screen readers. */
+export function cardSentence(model: CardModel): string {
+  const values = model.rows.map((row) =>
+    row.value === null
+      ? `${row.label}: no value`
+      : `${row.label} ${numberText(row.value)} ${unitText(row.unit)}`,
+  );
+  return `node ${model.report.nodeId ?? "none"}, element ${model.report.elementId ?? "none"}: ${values.join(", ")}`;
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Legend and probe card in the headset, painted from the same models as the page's.
+import { type Palette, texelOf } from "../render";
+import {
+  axisTexts,
+  type CardModel,
+  type LegendModel,
+  labelPositions,
+  numberText,
+  positionOf,
+  unitText,
+  valueAtPosition,
+} from "../ui";
+import { BOARD_FONT, BOARD_COLOURS as C, roundRect } from "./board";
+
+export const LEGEND_SIZE = { width: 460, height: 860 } as const;
+export const CARD_SIZE = { width: 760, height: 380 } as const;
+
+function font(context: CanvasRenderingContext2D, size: number, weight = 400): void {
+  context.font = `${weight} ${size}px ${BOARD_FONT}`;
+  context.textBaseline = "middle";
+  context.textAlign = "left";
+}
+
+function paintBar(
+  context: CanvasRenderingContext2D,
+  palette: Palette,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): void {
+  for (let row = 0; row < height; ++row) {
+    const at = 4 * texelOf(1 - (row + 0.5) / height, palette);
+    const [r, g, b] = palette.texels.subarray(at, at + 3);
+    context.fillStyle = `rgb(${r} ${g} ${b})`;
+    context.fillRect(x, y + row, width, 1);
+  }
+}
+
+export function paintVrLegend(context: CanvasRenderingContext2D, model: LegendModel | null): void {
+  const { width, height } = LEGEND_SIZE;
+  roundRect(context, { x: 0, y: 0, width, height }, 28, C.panel);
+  if (!model) return;
+  const { shown } = model;
+  context.fillStyle = C.ink;
+  font(context, 38, 600);
+  context.fillText(shown.label, 30, 50, width - 60);
+  context.fillStyle = C.soft;
+  font(context, 29);
+  context.fillText(unitText(shown.unit) || "unit not given", 30, 94, width - 60);
+  context.fillText(model.stepText, 30, 132, width - 60);
+  const bar = { x: 40, y: 180, width: 90, height: 560 };
+  paintBar(context, model.palette, bar.x, bar.y, bar.width, bar.height);
+  const positions = labelPositions(model.effect.bands);
+  const texts = axisTexts(positions.map((t) => valueAtPosition(t, shown.range)));
+  font(context, 34);
+  positions.forEach((t, i) => {
+    const y = bar.y + bar.height * (1 - t);
+    context.fillStyle = C.soft;
+    context.fillRect(bar.x + bar.width + 4, y - 1, 12, 2);
+    context.fillStyle = C.ink;
+    context.fillText(texts[i] ?? "", bar.x + bar.width + 26, y, width - bar.width - 80);
+  });
+  const probe = positionOf(model.probed, shown.range);
+  if (probe !== null) {
+    const y = bar.y + bar.height * (1 - probe);
+    context.fillStyle = C.ink;
+    context.fillRect(bar.x - 12, y - 3, bar.width + 24, 6);
+  }
+  context.fillStyle = C.soft;
+  font(context, 27);
+  context.fillText(model.deformText, 30, height - 64, width - 60);
+  context.fillText(shown.result?.location ?? "", 30, height - 28, width - 60);
+}
+
+export function paintVrCard(context: CanvasRenderingContext2D, model: CardModel): void {
+  const { width } = CARD_SIZE;
+  const rows = model.rows.slice(0, 5);
+  const height = Math.min(CARD_SIZE.height, 84 + rows.length * 56);
+  roundRect(context, { x: 0, y: CARD_SIZE.height - height, width, height }, 24, C.panel);
+  let y = CARD_SIZE.height - height + 42;
+  for (const row of rows) {
+    context.fillStyle = C.soft;
+    font(context, 31);
+    context.fillText(row.label, 26, y, 330);
+    context.fillStyle = row.alarm ? C.alarm : C.ink;
+    font(context, 40, 600);
+    context.textAlign = "right";
+    const about = row.state === "interpolated" ? "~" : "";
+    context.fillText(row.value === null ? "no value" : `${about}${numberText(row.value)}`, 600, y, 230);
+    font(context, 31);
+    context.fillStyle = C.soft;
+    context.fillText(row.value === null ? "" : unitText(row.unit), 616, y, 130);
+    y += 56;
+  }
+  context.fillStyle = C.soft;
+  font(context, 27);
+  context.fillText(
+    `node ${model.report.nodeId ?? "–"} · element ${model.report.elementId ?? "–"}`,
+    26,
+    CARD_SIZE.height - 28,
+    width - 52,
+  );
+}

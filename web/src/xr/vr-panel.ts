@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel in the headset: the assignment table, steps, deformation, and the ways home and out.
+import type { Shown } from "../app/model-view";
+import { drivenBy } from "../app/presentation-doc";
+import type { ViewState } from "../app/store";
+import type { SceneStep } from "../scene";
+import { type Actions, COLUMNS, numberText, stepText, unitText } from "../ui";
+import { BOARD_FONT, type BoardButton, BOARD_COLOURS as C, roundRect } from "./board";
+
+export const PANEL_WIDTH = 1024;
+export const PANEL_ROWS = 6;
+export const PANEL_HEIGHT = 950;
+const NAME_WIDTH = 400;
+const CELL = 96;
+const ROW = 84;
+
+export interface PanelModel {
+  readonly state: ViewState;
+  readonly shown: readonly Shown[];
+  readonly step: SceneStep | null;
+  readonly stepCount: number;
+  readonly factor: number;
+  readonly canShape: (shown: Shown) => boolean;
+  readonly canPlay: boolean;
+  /** Id of the button that a ray is on. */
+  readonly hover: string | null;
+}
+
+export interface PanelExtras {
+  readonly table: () => void;
+  readonly trueSize: () => void;
+  readonly leave: () => void;
+}
+
+interface Ink {
+  readonly context: CanvasRenderingContext2D;
+  readonly buttons: BoardButton[];
+  readonly hover: string | null;
+}
+
+function words(
+  ink: Ink,
+  text: string,
+  x: number,
+  y: number,
+  size: number,
+  colour: string,
+  options: { bold?: boolean; align?: CanvasTextAlign; width?: number } = {},
+): void {
+  const { context } = ink;
+  context.font = `${options.bold ? 600 : 400} ${size}px ${BOARD_FONT}`;
+  context.textAlign = options.align ?? "left";
+  context.textBaseline = "middle";
+  context.fillStyle = colour;
+  context.fillText(text, x, y, options.width);
+}
+
+function button(
+  ink: Ink,
+  spec: Omit<BoardButton, "press"> & { text: string; on?: boolean; enabled?: boolean; press: () => void },
+): void {
+  const enabled = spec.enabled ?? true;
+  const fill = spec.on ? C.accent : ink.hover === spec.id && enabled ? C.hover : C.panel;
+  const inset = { x: spec.x + 3, y: spec.y + 3, width: spec.width - 6, height: spec.height - 6 };
+  roundRect(
+    ink.context,
+    { x: inset.x - 2, y: inset.y - 2, width: inset.width + 4, height: inset.height + 4 },
+    15,
+    ink.hover === spec.id && enabled ? C.ink : C.line,
+  );
+  roundRect(ink.context, inset, 13, fill);
+  const colour = spec.on ? C.accentInk : enabled ? C.ink : C.line;
+  words(ink, spec.text, spec.x + spec.width / 2, spec.y + spec.height / 2, 27, colour, {
+    align: "center",
+    bold: spec.on ?? false,
+    width: spec.width - 14,
+  });
+  if (enabled)
+    ink.buttons.push({
+      id: spec.id,
+      x: spec.x,
+      y: spec.y,
+      width: spec.width,
+      height: spec.height,
+      press: spec.press,
+    });
+}
+
+function tableRow(ink: Ink, model: PanelModel, shown: Shown, y: number, actions: Actions): void {
+  words(ink, shown.label, 28, y + 28, 29, C.ink, { bold: true, width: NAME_WIDTH - 44 });
+  const range = `${numberText(shown.range.lo, 4)} … ${numberText(shown.range.hi, 4)} ${unitText(shown.unit)}`;
+  words(ink, range, 28, y + 60, 23, C.soft, { width: NAME_WIDTH - 44 });
+  COLUMNS.forEach(({ slot, word }, i) => {
+    const on = drivenBy(model.state.doc, slot) === shown.key;
+    const enabled = shown.result !== null && (slot !== "shape" || model.canShape(shown));
+    const press = () => (on ? actions.release(slot) : actions.assign(shown.key, slot));
+    button(ink, {
+      id: `${shown.key}:${slot}`,
+      x: NAME_WIDTH + i * CELL,
+      y,
+      width: CELL,
+      height: ROW,
+      text: on ? "●" : word,
+      on,
+      enabled,
+      press,
+    });
+  });
+  const off = COLUMNS.every(({ slot }) => drivenBy(model.state.doc, slot) !== shown.key);
+  button(ink, {
+    id: `${shown.key}:off`,
+    x: NAME_WIDTH + COLUMNS.length * CELL,
+    y,
+    width: CELL,
+    height: ROW,
+    text: "Off",
+    on: off,
+    press: () => actions.releaseAll(shown.key),
+  });
+}
+
+/** Paints the panel; returns what can be pressed. */
+export function paintPanel(
+  context: CanvasRenderingContext2D,
+  model: PanelModel,
+  actions: Actions,
+  extras: PanelExtras,
+): BoardButton[] {
+  const ink: Ink = { context, buttons: [], hover: model.hover };
+  roundRect(context, { x: 0, y: 0, width: PANEL_WIDTH, height: PANEL_HEIGHT }, 28, C.panel);
+  words(ink, "Result", 28, 38, 26, C.soft);
+  COLUMNS.forEach(({ word }, i) => {
+    words(ink, word, NAME_WIDTH + (i + 0.5) * CELL, 38, 25, C.soft, { align: "center" });
+  });
+  words(ink, "Off", NAME_WIDTH + (COLUMNS.length + 0.5) * CELL, 38, 25, C.soft, { align: "center" });
+  model.shown.slice(0, PANEL_ROWS).forEach((shown, i) => {
+    tableRow(ink, model, shown, 66 + i * (ROW + 4), actions);
+  });
+  const { state } = model;
+  const top = PANEL_HEIGHT - 3 * (ROW + 14) - 14;
+  const line = (i: number) => top + i * (ROW + 14);
+  const many = model.stepCount > 1;
+  button(ink, {
+    id: "back",
+    x: 24,
+    y: line(0),
+    width: 96,
+    height: ROW,
+    text: "‹",
+    enabled: many,
+    press: () => actions.stepBy(-1),
+  });
+  button(ink, {
+    id: "play",
+    x: 124,
+    y: line(0),
+    width: 150,
+    height: ROW,
+    text: state.playing ? "Pause" : "Play",
+    on: state.playing,
+    enabled: model.canPlay,
+    press: () => actions.togglePlay(),
+  });
+  button(ink, {
+    id: "next",
+    x: 278,
+    y: line(0),
+    width: 96,
+    height: ROW,
+    text: "›",
+    enabled: many,
+    press: () => actions.stepBy(1),
+  });
+  words(ink, model.step ? stepText(model.step) : "", 396, line(0) + ROW / 2, 29, C.ink, { width: 600 });
+  const modes = [
+    ["off", "Undeformed"],
+    ["true", "True scale"],
+    ["auto", "5 %"],
+  ] as const;
+  modes.forEach(([mode, text], i) => {
+    button(ink, {
+      id: `deform:${mode}`,
+      x: 24 + i * 190,
+      y: line(1),
+      width: 186,
+      height: ROW,
+      text,
+      on: state.deformMode === mode,
+      press: () => actions.setDeform(mode),
+    });
+  });
+  words(ink, `deformation × ${numberText(model.factor, 4)}`, 610, line(1) + ROW / 2, 29, C.ink, {
+    width: 390,
+  });
+  const last = [
+    ["table", "Table", false, extras.table],
+    ["true-size", "Size 1:1", false, extras.trueSize],
+    ["sound", state.sound ? "Sound on" : "Muted", state.sound, () => actions.toggle("sound")],
+    ["touch", state.touch ? "Touch on" : "Touch off", state.touch, () => actions.toggle("touch")],
+    ["leave", "Leave VR", false, extras.leave],
+  ] as const;
+  last.forEach(([id, text, on, press], i) => {
+    button(ink, { id, x: 24 + i * 196, y: line(2), width: 192, height: ROW, text, on, press });
+  });
+  return ink.buttons;
+}

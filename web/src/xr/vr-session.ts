@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// One stay in the headset: pointers probe and press, grips move the model, boards show table, legend and numbers.
+import {
+  Color,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  type Object3D,
+  Raycaster,
+  SphereGeometry,
+  Vector3,
+} from "three";
+import type { App } from "../app/app";
+import { Board } from "./board";
+import { Grab } from "./grab";
+import { onTable, placeBefore, type Stand, standOf, TABLE_SIZE } from "./room";
+import { CARD_SIZE, LEGEND_SIZE, paintVrCard, paintVrLegend } from "./vr-legend";
+import { PANEL_HEIGHT, PANEL_WIDTH, paintPanel } from "./vr-panel";
+import { type VrPointer, VrPointers } from "./vr-pointers";
+
+const ROOM_COLOUR = new Color(0x20282d);
+const scratchMatrix = new Matrix4();
+const scratchHead = new Vector3();
+
+/** What the session needs of the app beyond its public parts. */
+export interface VrHost {
+  readonly app: App;
+  panelModel(hover: string | null): Parameters<typeof paintPanel>[1];
+  legendModel(): Parameters<typeof paintVrLegend>[1];
+  cardModel(): Parameters<typeof paintVrCard>[1] | null;
+}
+
+export class VrSession {
+  readonly #host: VrHost;
+  readonly #session: XRSession;
+  readonly #pointers: VrPointers;
+  readonly #grab = new Grab();
+  readonly #panel = new Board(PANEL_WIDTH, PANEL_HEIGHT, 0.62);
+  readonly #legend = new Board(LEGEND_SIZE.width, LEGEND_SIZE.height, 0.34);
+  readonly #card = new Board(CARD_SIZE.width, CARD_SIZE.height, 0.3);
+  readonly #dots = new Map<string, Mesh>();
+  readonly #removals: (() => void)[] = [];
+  readonly #raycaster = new Raycaster();
+  #stand: Stand | null = null;
+  #hover: string | null = null;
+  #boardsStale = true;
+  #cardText = "";
+
+  constructor(host: VrHost, session: XRSession, ended: () => void) {
+    this.#host = host;
+    this.#session = session;
+    const { stage, store } = host.app;
+    stage.scene.add(this.#panel.mesh, this.#legend.mesh, this.#card.mesh);
+    for (const board of [this.#panel, this.#legend, this.#card]) board.mesh.visible = false;
+    this.#pointers = new VrPointers(stage.renderer, stage.scene, {
+      connected: (pointer) => {
+        host.app.probing.pointer(pointer.name, pointer.kind).actuator = pointer.actuator;
+      },
+      disconnected: (pointer) => this.#forget(pointer),
+      select: (pointer, on) => this.#select(pointer, on),
+      squeeze: (pointer, on) => this.#squeeze(pointer, on),
+    });
+    this.#removals.push(
+      stage.onFrame(() => this.#frame()),
+      store.subscribe(() => {
+        this.#boardsStale = true;
+      }),
+      stage.keepRunning(),
+    );
+    session.addEventListener("end", () => {
+      this.#dispose();
+      ended();
+    });
+    session.addEventListener("visibilitychange", () => {
+      if (session.visibilityState !== "visible") this.#grab.letGoOfAll();
+    });
+    stage.renderer.xr.setFoveation(0.3);
+    stage.renderer.setClearColor(ROOM_COLOUR);
+  }
+
+  leave(): void {
+    void this.#session.end();
+  }
+
+  #forget(pointer: VrPointer): void {
+    const { probing, stage } = this.#host.app;
+    // The hand stops before it goes, so that its last pulse is not left running.
+    probing.pointer(pointer.name, pointer.kind).actuator = null;
+    probing.hold(pointer.name, pointer.kind, false);
+    probing.move(pointer.name, pointer.kind, null);
+    this.#grab.letGo(pointer.name, stage.holder.matrix);
+    const dot = this.#dots.get(pointer.name);
+    if (dot) dot.visible = false;
+  }
+
+  #select(pointer: VrPointer, on: boolean): void {
+    const { probing } = this.#host.app;
+    this.#refresh(pointer);
+    const pressed = on ? this.#boardHit(pointer) : null;
+    if (pressed) {
+      this.#panel.buttonAt(pressed.u, pressed.v)?.press();
+      return;
+    }
+    // What shakes is asked for anew: a gamepad may come later than its source.
+    probing.hold(pointer.name, pointer.kind, on);
+  }
+
+  #squeeze(pointer: VrPointer, on: boolean): void {
+    const { holder } = this.#host.app.stage;
+    const pose = this.#pointers.grips().get(pointer.name);
+    if (on && pose) this.#grab.take(pointer.name, pose, holder.matrix);
+    else this.#grab.letGo(pointer.name, holder.matrix);
+  }
+
+  #refresh(pointer: VrPointer): void {
+    pointer.target.updateWorldMatrix(true, false);
+    pointer.ray.origin.setFromMatrixPosition(pointer.target.matrixWorld);
+    pointer.ray.direction.set(0, 0, -1).transformDirection(pointer.target.matrixWorld);
+  }
+
+  #boardHit(pointer: VrPointer): { u: number; v: number; distance: number } | null {
+    if (!this.#panel.mesh.visible) return null;
+    this.#raycaster.ray.copy(pointer.ray);
+    const hit = this.#raycaster.intersectObject(this.#panel.mesh, false)[0];
+    return hit?.uv ? { u: hit.uv.x, v: hit.uv.y, distance: hit.distance } : null;
+  }
+
+  #frame(): void {
+    const { stage, view, probing } = this.#host.app;
+    const { xr } = stage.renderer;
+    if (!xr.isPresenting) return;
+    if (!this.#stand) this.#settle(xr.getCamera().matrixWorld);
+    const moved = this.#grab.move(this.#pointers.grips());
+    if (moved) this.#setModel(moved);
+    const world = view.model.worldMatrix(scratchMatrix);
+    let hover: string | null = null;
+    for (const pointer of this.#pointers.rays()) {
+      const board = this.#boardHit(pointer);
+      const hit = view.picker.ray(pointer.ray, world);
+      const onBoard = board !== null && (!hit || board.distance < hit.distance);
+      if (onBoard) hover ??= this.#panel.buttonAt(board.u, board.v)?.id ?? null;
+      probing.move(pointer.name, pointer.kind, onBoard ? null : hit);
+      this.#pointers.showHit(pointer, onBoard ? board.distance : (hit?.distance ?? null));
+      this.#showDot(pointer.name, onBoard ? null : (hit?.world ?? null));
+    }
+    this.#paint(hover);
+  }
+
+  /** First frame: the person's place is known, the room is laid out round it. */
+  #settle(head: Matrix4): void {
+    // Before the first pose the head is at the origin of the room, which is nobody's.
+    if (scratchHead.setFromMatrixPosition(head).lengthSq() === 0) return;
+    const stand = standOf(head);
+    this.#stand = stand;
+    const eye = scratchHead.clone();
+    this.#placeBoard(this.#panel.mesh, placeBefore(stand, -0.62, 1.1, 0.72), eye);
+    this.#placeBoard(this.#legend.mesh, placeBefore(stand, 0.72, 1.12, 1.05), eye);
+    this.putOnTable();
+    this.#boardsStale = true;
+  }
+
+  #placeBoard(mesh: Object3D, at: Vector3, eye: Vector3): void {
+    mesh.position.copy(at);
+    mesh.lookAt(eye);
+    mesh.visible = true;
+  }
+
+  putOnTable(): void {
+    const sphere = this.#host.app.view.model.sphere();
+    const { model } = this.#host.app.view;
+    const metres = model.largestSide * new Vector3().setFromMatrixScale(model.group.matrix).x;
+    if (this.#stand) this.#setModel(onTable(this.#stand, sphere, TABLE_SIZE / Math.max(metres, 1e-9)));
+  }
+
+  putAtTrueSize(): void {
+    if (this.#stand) this.#setModel(onTable(this.#stand, this.#host.app.view.model.sphere(), 1));
+  }
+
+  #setModel(matrix: Matrix4): void {
+    const { holder } = this.#host.app.stage;
+    holder.matrixAutoUpdate = false;
+    holder.matrix.copy(matrix);
+    holder.matrixWorldNeedsUpdate = true;
+    holder.updateMatrixWorld(true);
+  }
+
+  #showDot(name: string, at: Vector3 | null): void {
+    let dot = this.#dots.get(name);
+    if (!dot) {
+      dot = new Mesh(new SphereGeometry(0.006, 16, 12), new MeshBasicMaterial({ color: 0xffffff }));
+      this.#dots.set(name, dot);
+      this.#host.app.stage.scene.add(dot);
+    }
+    dot.visible = at !== null;
+    if (at) dot.position.copy(at);
+  }
+
+  #paint(hover: string | null): void {
+    const { probing, view, stage, actions } = this.#host.app;
+    if (this.#boardsStale || hover !== this.#hover) {
+      this.#hover = hover;
+      const model = this.#host.panelModel(hover);
+      const ways = {
+        table: () => this.putOnTable(),
+        trueSize: () => this.putAtTrueSize(),
+        leave: () => this.leave(),
+      };
+      this.#panel.paint((context) => paintPanel(context, model, actions, ways));
+    }
+    const card = this.#host.cardModel();
+    const text = card ? JSON.stringify(card.report.results) : "";
+    if (this.#boardsStale || text !== this.#cardText) {
+      this.#legend.paint((context) => {
+        paintVrLegend(context, this.#host.legendModel());
+        return [];
+      });
+      if (card) {
+        this.#card.paint((context) => {
+          paintVrCard(context, card);
+          return [];
+        });
+      }
+      this.#cardText = text;
+    }
+    this.#boardsStale = false;
+    const place = probing.current()?.place;
+    this.#card.mesh.visible = card !== null && place !== null && place !== undefined;
+    if (place)
+      this.#placeCard(
+        view.picker.worldOf(place, view.model.worldMatrix()),
+        stage.renderer.xr.getCamera().matrixWorld,
+      );
+  }
+
+  /** Above the place, facing the eyes, as large for them at any distance. */
+  #placeCard(at: Vector3, head: Matrix4): void {
+    const eye = scratchHead.setFromMatrixPosition(head);
+    const distance = Math.max(at.distanceTo(eye), 0.2);
+    const { mesh } = this.#card;
+    mesh.scale.setScalar(distance);
+    mesh.position.copy(at).lerp(eye, 0.12);
+    mesh.position.y += 0.11 * distance;
+    mesh.lookAt(eye);
+  }
+
+  #dispose(): void {
+    const { stage, probing, senses } = this.#host.app;
+    senses.stop();
+    for (const remove of this.#removals) remove();
+    this.#pointers.dispose();
+    for (const board of [this.#panel, this.#legend, this.#card]) board.dispose();
+    for (const [name, dot] of this.#dots) {
+      dot.geometry.dispose();
+      (dot.material as MeshBasicMaterial).dispose();
+      dot.removeFromParent();
+      probing.remove(name);
+    }
+    stage.holder.matrix.identity();
+    stage.holder.updateMatrixWorld(true);
+    stage.orbit.apply();
+  }
+}

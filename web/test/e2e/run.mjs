@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the browser tests: `node test/e2e/run.mjs [PART OF A NAME]`. Builds the page first when it is not built.
+import { existsSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { build } from "vite";
+import { tinyScene } from "../support/tiny-scene.ts";
+import { deskTests } from "./desk.mjs";
+import { launch } from "./harness.mjs";
+import { readScene } from "./oracle.mjs";
+import { serve } from "./server.mjs";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+const wanted = process.argv[2] ?? "";
+if (!existsSync(`${root}/dist/index.html`) || process.env.FEELEM_E2E_BUILD) {
+  await build({ root, logLevel: "warn" });
+}
+
+const { glb } = tinyScene();
+const server = await serve(new Map([["scene.glb", new Uint8Array(glb)]]));
+const browser = await launch();
+const given = { browser, url: server.url, scene: readScene(glb) };
+let passed = 0;
+let failed = 0;
+for (const { name, run } of deskTests) {
+  if (!name.includes(wanted)) continue;
+  const start = Date.now();
+  try {
+    await run(given);
+    passed += 1;
+    console.log(`ok    ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    failed += 1;
+    console.log(`FAIL  ${name}: ${error.stack ?? error}`);
+  }
+}
+await browser.close();
+await server.close();
+console.log(`${passed} passed, ${failed} failed`);
+process.exitCode = failed > 0 || passed === 0 ? 1 : 0;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Serves the built page and scenes made by the tests on loopback, and remembers what was asked for.
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { extname, join, normalize } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const DIST = fileURLToPath(new URL("../../dist/", import.meta.url));
+const TYPES = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".css": "text/css",
+  ".svg": "image/svg+xml",
+  ".glb": "model/gltf-binary",
+};
+
+/** `files`: path -> bytes, looked at before dist/. */
+export async function serve(files = new Map()) {
+  const server = createServer(async (request, response) => {
+    const path = decodeURIComponent(new URL(request.url, "http://x").pathname).slice(1) || "index.html";
+    try {
+      const bytes = files.get(path) ?? (await readFile(join(DIST, normalize(path))));
+      response.writeHead(200, {
+        "Content-Type": TYPES[extname(path)] ?? "application/octet-stream",
+        "Content-Security-Policy":
+          "default-src 'self'; img-src 'self' data: blob:; connect-src 'self' data: blob:; worker-src 'self' blob:",
+      });
+      response.end(Buffer.from(bytes));
+    } catch {
+      response.writeHead(404);
+      response.end("not found");
+    }
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  return {
+    url: `http://127.0.0.1:${server.address().port}/`,
+    close: () => new Promise((r) => server.close(r)),
+  };
+}
