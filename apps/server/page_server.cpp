@@ -61,7 +61,7 @@ std::string media_type(std::string_view path) {
 struct Asset {
     std::string_view path;
     std::span<const std::byte> gzip;
-    std::string etag;
+    std::string hash;
 };
 
 std::string unpack(std::span<const std::byte> gzip) {
@@ -150,9 +150,10 @@ void answer_asset(const httplib::Request& request, httplib::Response& response, 
     const bool has_hash = asset.path.starts_with("/assets/");
     response.set_header("Cache-Control", has_hash ? "public, max-age=31536000, immutable" : "no-cache");
     response.set_header("Vary", "Accept-Encoding");
-    if (is_known(request, response, asset.etag)) return;
+    const bool takes_gzip = request.get_header_value("Accept-Encoding").find("gzip") != std::string::npos;
+    if (is_known(request, response, fmt::format("\"{}{}\"", asset.hash, takes_gzip ? "-gzip" : ""))) return;
     const std::string type = media_type(asset.path);
-    if (request.get_header_value("Accept-Encoding").find("gzip") == std::string::npos) {
+    if (!takes_gzip) {
         auto plain = std::make_shared<std::string>(unpack(asset.gzip));
         const std::string_view bytes = *plain;
         return answer_bytes(request, response, bytes, type, std::move(plain));
@@ -216,7 +217,7 @@ PageServer::PageServer(const ServeOptions& options) : state_(std::make_unique<St
         throw Error(Code::FileNotFound, options.scene_path, "there is no such scene");
     }
     for (const PageAsset& asset : page_assets()) {
-        state_->assets[asset.path] = {asset.path, asset.gzip, "\"" + sha256_hex(asset.gzip) + "\""};
+        state_->assets[asset.path] = {asset.path, asset.gzip, sha256_hex(asset.gzip)};
     }
     httplib::Server& server = state_->server;
     server.new_task_queue = [] { return new httplib::ThreadPool(8); };
