@@ -51,7 +51,8 @@ std::string raw_answer(int port, const std::string& request) {
 class ServedScene : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = scratch_folder("server");
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = scratch_folder(std::string("server_") + test->name());
         for (int i = 0; i < 3000; ++i) scene_ += fmt::format("glTF bytes {} ", i);
         write_file(folder_ + "/boiler.glb", scene_);
         std::filesystem::create_directory(folder_ + "/boiler.d");
