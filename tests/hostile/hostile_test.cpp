@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every file that a reader takes, cut and damaged: each attempt must end soon, in bounded memory, with a
+// model or an Error, and with nothing else.
+//
+// FEELEM_HOSTILE=200 makes 200 cuts and 200 damages of each file, whatever its size; by default 10 of files
+// up to 1.5 MB. A failing input is kept in build/*/scratch/hostile; once understood it moves to
+// tests/data/fuzz_regressions, where it is tried by every run.
+#include "read/read_format.hpp"
+#include "support/exercise.hpp"
+#include "support/paths.hpp"
+
+#include "feelem/error.hpp"
+#include "feelem/read.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+namespace feelem {
+namespace {
+
+namespace fs = std::filesystem;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+constexpr double kMostSeconds = kSanitized ? 20 : 2;
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t kLargeFile = 1'500'000;
+
+/// Peak of resident memory since the last reset, in bytes (Linux).
+std::uint64_t peak_memory() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("VmHWM:")) return std::stoull(line.substr(6)) * 1024;
+    }
+    return 0;
+}
+void reset_peak_memory() {
+    std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+struct Case {
+    std::string name;               ///< Path from its root.
+    std::vector<NamedBytes> files;  ///< The first is damaged; others belong to the same model.
+};
+
+std::uint64_t seed_of(const std::string& text) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    return hash;
+}
+
+/// Opens and uses; empty when that ended as it must.
+std::string attempt(std::vector<NamedBytes> files) {
+    const auto start = std::chrono::steady_clock::now();
+    reset_peak_memory();
+    const std::uint64_t before = peak_memory();
+    std::string wrong;
+    try {
+        Diagnostics diagnostics;
+        const auto model = open_model(std::move(files), {}, diagnostics);
+        wrong = test::exercise(*model);
+    } catch (const Error& error) {
+        if (std::string(error.what()).size() < 10) wrong = "an error without words";
+    } catch (const std::exception& error) {
+        wrong = fmt::format("not an Error: {}", error.what());
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (seconds.count() > kMostSeconds) wrong += fmt::format(" took {:.1f} s", seconds.count());
+    const std::uint64_t used = peak_memory() - std::min(before, peak_memory());
+    if (!kSanitized && used > kMostBytes) wrong += fmt::format(" used {} MiB", used >> 20);
+    return wrong;
+}
+
+std::string cut(const std::string& bytes, std::mt19937_64& random) {
+    return bytes.substr(0, random() % (bytes.size() + 1));
+}
+
+void overwrite(std::string& bytes, std::size_t at, std::string_view with) {
+    at = std::min(at, bytes.size());
+    bytes.replace(at, std::min(with.size(), bytes.size() - at), with.substr(0, bytes.size() - at));
+}
+
+/// Bits turned, digits changed, huge and negative counts, lines lost or doubled.
+std::string damage(std::string bytes, std::mt19937_64& random) {
+    const auto somewhere = [&] { return bytes.empty() ? 0 : random() % bytes.size(); };
+    const std::size_t times = 1 + random() % 4;
+    for (std::size_t i = 0; i < times && !bytes.empty(); ++i) {
+        const std::size_t at = somewhere();
+        switch (random() % 7) {
+        case 0: bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8)); break;
+        case 1: bytes[at] = static_cast<char>('0' + random() % 10); break;
+        case 2: overwrite(bytes, at, "999999999"); break;
+        case 3: overwrite(bytes, at, "-2147483648"); break;
+        case 4: overwrite(bytes, at, "\xFF\xFF\xFF\x7F"); break;
+        case 5: bytes.erase(at, random() % 200); break;
+        default: bytes.insert(at, bytes.substr(somewhere(), random() % 400)); break;
+        }
+    }
+    // Heads are where counts stand: half of the damage goes there.
+    if (random() % 2 == 0 && !bytes.empty()) {
+        const std::size_t at = random() % std::min<std::size_t>(bytes.size(), 4096);
+        bytes[at] = static_cast<char>('0' + random() % 10);
+    }
+    return bytes;
+}
+
+void expect_survival(const Case& one, std::size_t count) {
+    std::mt19937_64 random(seed_of(one.name));
+    for (std::size_t i = 0; i < 2 * count; ++i) {
+        std::vector<NamedBytes> files = one.files;
+        std::string& bytes = files.front().bytes;
+        bytes = i < count ? cut(bytes, random) : damage(std::move(bytes), random);
+        const std::string hostile = bytes;
+        const std::string wrong = attempt(std::move(files));
+        if (wrong.empty()) continue;
+        static const std::string folder = test::scratch_folder("hostile");
+        const std::string kept = fmt::format("{}/{}-{}", folder, fs::path(one.name).filename().string(), i);
+        test::write_file(kept, hostile);
+        ADD_FAILURE() << one.name << ", attempt " << i << ": " << wrong << " (kept: " << kept << ")";
+    }
+}
+
+const ReadFormat* reader_of(const std::string& bytes) {
+    const Input input = Input::from_memory("x", bytes.substr(0, 64u << 10));
+    for (const ReadFormat& format : read_format_list()) {
+        if (format.recognise(input) != Likelihood::No) return &format;
+    }
+    return nullptr;
+}
+
+/// Every file below the folder that a reader takes; listings together with the listings beside them.
+std::vector<Case> cases_below(const std::string& root, std::uint64_t largest) {
+    std::vector<Case> cases;
+    std::map<std::string, std::vector<std::size_t>> listings;
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+        if (!entry.is_regular_file() || entry.file_size() > largest) continue;
+        const std::string path = entry.path().string();
+        std::string bytes = test::read_file(path);
+        const ReadFormat* format = reader_of(bytes);
+        if (format == nullptr) continue;
+        if (format->many_inputs) listings[entry.path().parent_path().string()].push_back(cases.size());
+        cases.push_back({fs::relative(path, root).string(), {{path, std::move(bytes)}}});
+    }
+    for (const auto& [folder, members] : listings) {
+        std::vector<NamedBytes> all;
+        for (const std::size_t i : members) all.push_back(cases[i].files.front());
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            std::swap(all[0], all[i]);
+            cases[members[i]].files = all;
+            std::swap(all[0], all[i]);
+        }
+    }
+    std::ranges::sort(cases, {}, &Case::name);
+    return cases;
+}
+
+void expect_survival_below(const std::string& root) {
+    const char* count = std::getenv("FEELEM_HOSTILE");
+    const std::vector<Case> cases =
+        cases_below(root, count != nullptr ? std::numeric_limits<std::uint64_t>::max() : kLargeFile);
+    EXPECT_FALSE(cases.empty()) << root;
+    for (const Case& one : cases) expect_survival(one, count != nullptr ? std::stoul(count) : 10);
+    std::cout << fmt::format("{} files\n", cases.size());
+}
+
+class Hostile : public testing::Test {
+protected:
+    /// A request for far too much memory fails at once instead of bringing the machine down.
+    static void SetUpTestSuite() {
+        if (kSanitized) return;
+        const rlimit limit{std::uint64_t{8} << 30, std::uint64_t{8} << 30};
+        setrlimit(RLIMIT_AS, &limit);
+    }
+};
+
+TEST_F(Hostile, shipped_files_cut_and_damaged_are_survived) {
+    expect_survival_below(test::project_file("examples"));
+    expect_survival_below(test::project_file("tests/data/calculix"));
+}
+
+TEST_F(Hostile, corpus_of_calculix_cut_and_damaged_is_survived) {
+    const auto corpus = test::corpus_file("calculix");
+    if (!corpus) GTEST_SKIP() << "the corpus is not here";
+    expect_survival_below(*corpus);
+}
+
+TEST_F(Hostile, corpus_of_ansys_cut_and_damaged_is_survived) {
+    const auto corpus = test::corpus_file("ansys");
+    if (!corpus) GTEST_SKIP() << "the corpus is not here";
+    expect_survival_below(*corpus);
+}
+
+TEST_F(Hostile, corpus_of_boilers_cut_and_damaged_is_survived) {
+    const auto corpus = test::corpus_file("boiler");
+    if (!corpus) GTEST_SKIP() << "the corpus is not here";
+    expect_survival_below(*corpus);
+}
+
+TEST_F(Hostile, a_short_file_ends_at_every_byte) {
+    const std::string path = test::project_file("tests/data/calculix/static_binary.frd");
+    const std::string bytes = test::read_file(path);
+    for (std::size_t length = 0; length <= bytes.size(); ++length)
+        ASSERT_EQ(attempt({{"cut.frd", bytes.substr(0, length)}}), "") << length;
+}
+
+TEST_F(Hostile, past_troubles_stay_past) {
+    for (const auto& entry : fs::directory_iterator(test::project_file("tests/data/fuzz_regressions"))) {
+        EXPECT_EQ(attempt({{entry.path().string(), test::read_file(entry.path().string())}}), "")
+            << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace feelem
