@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// docs/formats/coverage.md: what comes out of every real file we have, written by this test.
+#include "support/exercise.hpp"
+#include "support/paths.hpp"
+
+#include "feelem/error.hpp"
+#include "feelem/read.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace feelem {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files of one model, by their paths from the corpus.
+struct Group {
+    std::string name;
+    std::vector<std::string> files;
+};
+
+std::vector<std::string> sorted_entries(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+/// Each file with this ending alone.
+std::vector<Group> single_files(
+    const fs::path& corpus, const std::string& folder, const std::string& ending
+) {
+    std::vector<Group> groups;
+    for (const std::string& name : sorted_entries(corpus / folder)) {
+        if (name.ends_with(ending)) groups.push_back({name, {folder + "/" + name}});
+    }
+    return groups;
+}
+
+/// Each folder as one model, but excerpts, which are cuttings of many.
+std::vector<Group> folders(const fs::path& corpus, const std::string& parent) {
+    std::vector<Group> groups;
+    for (const std::string& name : sorted_entries(corpus / parent)) {
+        const std::string folder = parent + "/" + name;
+        if (name == "excerpts") {
+            for (Group& group : single_files(corpus, folder, "")) groups.push_back(std::move(group));
+            continue;
+        }
+        Group group{name, {}};
+        for (const std::string& file : sorted_entries(corpus / folder))
+            group.files.push_back(folder + "/" + file);
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string out;
+    for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+    return out.empty() ? "none" : out;
+}
+
+std::string elements_of(const Mesh& mesh) {
+    std::vector<std::string> words;
+    for (const ElementBlock& block : mesh.blocks)
+        words.push_back(fmt::format("{} {}", block.ids.size(), element_row(block.type).name));
+    for (const auto& [name, count] : mesh.skipped_elements)
+        words.push_back(fmt::format("({} {})", count, name));
+    return joined(words);
+}
+
+/// Names, each once, with how often it is there.
+std::string results_of(const ModelSource& model) {
+    std::vector<std::string> order;
+    std::map<std::string, int> counts;
+    for (const ResultInfo& info : model.results()) {
+        std::string name = info.name;
+        if (info.layer != Layer::No) name += " " + std::string(word(info.layer));
+        if (info.complex != Complex::No) name += " " + std::string(word(info.complex));
+        if (counts[name]++ == 0) order.push_back(name);
+    }
+    std::vector<std::string> words;
+    for (const std::string& name : order)
+        words.push_back(counts[name] == 1 ? name : fmt::format("{} x {}", counts[name], name));
+    return joined(words);
+}
+
+std::string notes_of(const Diagnostics& diagnostics) {
+    std::set<std::string> words;
+    for (const Diagnostic& entry : diagnostics.entries())
+        words.insert(std::string(code_info(entry.code).word));
+    return joined({words.begin(), words.end()});
+}
+
+/// One row of the table; `unsound` is set when a model is not what a model must be.
+std::string row_of(const Group& group, const fs::path& corpus, bool& unsound) {
+    std::vector<NamedBytes> files;
+    for (const std::string& file : group.files)
+        files.push_back({fs::path(file).filename().string(), test::read_file((corpus / file).string())});
+    Diagnostics diagnostics;
+    try {
+        const auto model = open_model(std::move(files), {}, diagnostics);
+        const std::string wrong = test::exercise(*model);
+        if (!wrong.empty()) unsound = true;
+        std::size_t damaged = 0;
+        for (std::size_t i = 0; i < model->results().size(); ++i) {
+            try {
+                model->load(i);
+            } catch (const Error&) {
+                ++damaged;
+            }
+        }
+        std::string verdict = !wrong.empty()                  ? "unsound: " + wrong
+                              : diagnostics.entries().empty() ? "read whole"
+                                                              : "read";
+        if (damaged > 0) verdict += fmt::format(", {} results refused", damaged);
+        return fmt::format(
+            "| {} | {} | {} | {} | {} | {} |\n",
+            group.name,
+            model->mesh().node_count(),
+            elements_of(model->mesh()),
+            results_of(*model),
+            verdict,
+            notes_of(diagnostics)
+        );
+    } catch (const Error& error) {
+        return fmt::format(
+            "| {} | | | | refused: {} | {} |\n",
+            group.name,
+            code_info(error.code()).word,
+            notes_of(diagnostics)
+        );
+    }
+}
+
+std::string table_of(const std::vector<Group>& groups, const fs::path& corpus, bool& unsound) {
+    std::string out =
+        "| model | nodes | elements | results | verdict | diagnostics |\n|---|---:|---|---|---|---|\n";
+    for (const Group& group : groups) out += row_of(group, corpus, unsound);
+    return out + "\n";
+}
+
+TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
+    const auto found = test::corpus_file("calculix/ORIGINS.md");
+    if (!found) GTEST_SKIP() << "the corpus is not here";
+    const fs::path corpus = fs::path(*found).parent_path().parent_path();
+    bool unsound = false;
+
+    std::string page =
+        "# What comes out of real files\n\nWritten by the test `Coverage` from files that others made; "
+        "`FEELEM_UPDATE_GOLDEN=1` writes it again.\nElements in brackets have no surface of their own. "
+        "A result that stands in several steps is counted.\n\n";
+    page += "## CalculiX: the solver's own test suite\n\n";
+    page += table_of(single_files(corpus, "calculix/test", ".frd.ref"), corpus, unsound);
+    page += "## Ansys: text lists\n\nA folder is one model; excerpts are single pages.\n\n";
+    page += table_of(folders(corpus, "ansys/lists"), corpus, unsound);
+    page += "## Ansys Mechanical: exported tables\n\n";
+    page += table_of(folders(corpus, "ansys/workbench"), corpus, unsound);
+    page.pop_back();
+
+    EXPECT_FALSE(unsound) << page;
+    const std::string file = test::project_file("docs/formats/coverage.md");
+    if (std::getenv("FEELEM_UPDATE_GOLDEN") != nullptr) test::write_file(file, page);
+    EXPECT_EQ(test::read_file(file), page) << "FEELEM_UPDATE_GOLDEN=1 writes the page again";
+}
+
+}  // namespace
+}  // namespace feelem
