@@ -12,35 +12,34 @@ namespace {
 
 constexpr std::size_t kMaxResults = 4;
 
-/// What a kind of result suits. Row order is the order of importance.
+/// What a kind of result suits. Row order is the order of importance. Names and components are lists of
+/// words; an empty list means any.
 struct Kind {
-    std::string_view name;       ///< Of the result; empty: any other.
-    std::string_view component;  ///< Empty: any.
-    std::string_view key;
+    std::string_view names;
+    std::string_view components;
+    std::string_view key;        ///< Empty: made of the name.
     std::array<Sense, 3> slots;  ///< In order of preference; Shape: no more.
     bool percentile = false;     ///< Singular peaks would spoil the range.
     bool sign_matters = false;   ///< Zero has a meaning: tension and pressure, not hot and cold.
     bool needs_colour = false;   ///< It is seen rather than anything below it in the table.
 };
 using enum Sense;
-constexpr std::array<Kind, 21> kKinds{{
+constexpr std::array<Kind, 19> kKinds{{
     {"temperature", "", "T", {Colour, Pitch, Pulses}, false, false, true},
     {"displacement", "magnitude", "U", {Pitch, Ticks, Colour}},
-    {"stress", "von_mises", "S", {Pulses, Ticks, Colour}, true, false, true},
-    {"stress", "tresca", "S", {Pulses, Ticks, Colour}, true, false, true},
+    {"stress", "von_mises tresca", "S", {Pulses, Ticks, Colour}, true, false, true},
     {"utilisation", "", "UT", {Ticks, Pulses, Colour}, false, false, true},
     {"safety_factor", "", "SF", {Ticks, Pulses, Colour}, false, false, true},
-    {"plastic_strain", "von_mises", "PE", {Ticks, Pulses, Colour}, true, false, true},
+    {"plastic_strain", "equivalent von_mises value", "PE", {Ticks, Pulses, Colour}, true, false, true},
     {"damage", "", "D", {Ticks, Pulses, Colour}, false, false, true},
     {"contact_pressure", "", "CP", {Pulses, Ticks, Colour}, true, false, true},
     {"pressure", "", "P", {Pitch, Colour, Shape}, false, true, true},
     {"stress", "principal_1", "S", {Pitch, Colour, Shape}, true, true, true},
     {"stress", "", "S", {Pitch, Colour, Shape}, true, true, true},
     {"heat_flux", "magnitude", "Q", {Ticks, Pitch, Colour}, true, false, true},
-    {"velocity", "magnitude", "V", {Ticks, Pitch, Colour}, false, false, true},
-    {"acceleration", "magnitude", "A", {Ticks, Pitch, Colour}, false, false, true},
+    {"velocity acceleration", "magnitude", "", {Ticks, Pitch, Colour}, false, false, true},
     {"electric_potential", "", "EP", {Pitch, Colour, Shape}, false, true, true},
-    {"strain", "von_mises", "E", {Pulses, Ticks, Colour}, true, false, true},
+    {"strain elastic_strain", "equivalent von_mises", "E", {Pulses, Ticks, Colour}, true, false, true},
     {"displacement", "", "U", {Pitch, Colour, Shape}, false, true},
     {"", "magnitude", "", {Ticks, Pitch, Colour}, false, false, true},
     {"", "value", "", {Pitch, Colour, Shape}, false, true, true},
@@ -60,10 +59,21 @@ std::string_view base_name(const Candidate& candidate) {
     return std::string_view(candidate.name).substr(0, candidate.name.find('@'));
 }
 
+bool lists(std::string_view words, std::string_view word) {
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        if (words.substr(0, end) == word) {
+            return true;
+        }
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return false;
+}
+
 std::size_t kind_of(const Candidate& candidate) {
     const auto suits = [&](const Kind& kind) {
-        return (kind.name.empty() || kind.name == base_name(candidate)) &&
-               (kind.component.empty() || kind.component == candidate.component);
+        return (kind.names.empty() || lists(kind.names, base_name(candidate))) &&
+               (kind.components.empty() || lists(kind.components, candidate.component));
     };
     return static_cast<std::size_t>(std::ranges::find_if(kKinds, suits) - kKinds.begin());
 }

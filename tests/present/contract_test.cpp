@@ -223,6 +223,117 @@ void expect_same(const std::string& found, const std::string& expected) {
     EXPECT_EQ(*a, *b) << "one is longer than the other";
 }
 
+constexpr std::array<std::string_view, 5> kSlotNames{"colour", "pitch", "ticks", "pulses", "shape"};
+
+std::string choice_line(std::span<const Candidate> candidates) {
+    const Presentation p = choose_presentation(candidates, "");
+    std::string offered, results, effects;
+    for (const Candidate& c : candidates) {
+        offered += fmt::format(
+            R"({}{{"name": "{}", "component": "{}", "hasSign": {}, "mostlyZero": {}}})",
+            offered.empty() ? "" : ", ",
+            c.name,
+            c.component,
+            c.has_sign,
+            c.mostly_zero
+        );
+    }
+    for (const PresentedResult& r : p.results) {
+        results += fmt::format(
+            R"({}{{"key": "{}", "name": "{}", "component": "{}", "rangeMode": "{}", "scale": "{}"}})",
+            results.empty() ? "" : ", ",
+            r.key,
+            r.name,
+            r.component,
+            r.range_mode,
+            kScaleNames.at(static_cast<std::size_t>(r.scale))
+        );
+    }
+    for (const PresentedEffect& e : p.effects) {
+        effects += fmt::format(
+            R"({}{{"result": "{}", "slot": "{}", "map": "{}", "invert": {}}})",
+            effects.empty() ? "" : ", ",
+            e.result,
+            kSlotNames.at(static_cast<std::size_t>(e.sense)),
+            e.sense == Sense::Colour ? e.colour.map : "",
+            e.sense == Sense::Colour  ? e.colour.invert
+            : e.sense == Sense::Ticks ? e.ticks.invert
+                                      : e.sense == Sense::Pulses && e.pulses.invert
+        );
+    }
+    return fmt::format(
+        "  {{\"candidates\": [{}],\n   \"results\": [{}],\n   \"effects\": [{}],\n   \"deformation\": "
+        "\"{}\"}}",
+        offered,
+        results,
+        effects,
+        p.deformation_result
+    );
+}
+
+/// The cases of the paper, then many mixtures.
+std::string choice_contract() {
+    const Candidate temperature{.name = "temperature", .component = "value"};
+    const Candidate displacement{.name = "displacement", .component = "magnitude"};
+    const Candidate stress{.name = "stress", .component = "von_mises"};
+    std::string text = "[\n" + choice_line(std::vector<Candidate>{});
+    for (const auto& offered : {
+             std::vector{temperature},
+             std::vector{displacement},
+             std::vector{stress},
+             std::vector{temperature, displacement},
+             std::vector{displacement, stress},
+             std::vector{temperature, stress},
+             std::vector{temperature, displacement, stress},
+         }) {
+        text += ",\n" + choice_line(offered);
+    }
+    const std::array<std::string_view, 16> names{
+        "temperature",
+        "displacement",
+        "stress",
+        "heat_flux",
+        "pressure",
+        "velocity",
+        "plastic_strain",
+        "strain",
+        "my_own",
+        "safety_factor",
+        "part_id",
+        "damage",
+        "acceleration",
+        "temperature@b.frd",
+        "Ünit",
+        "contact_pressure"};
+    const std::array<std::string_view, 7> components{
+        "value", "magnitude", "von_mises", "xx", "equivalent", "principal_1", "x"};
+    std::uint32_t state = 1;
+    const auto random = [&](std::size_t below) {
+        state = state * 1664525 + 1013904223;
+        return static_cast<std::size_t>(state >> 8U) % below;
+    };
+    for (int i = 0; i < 100; ++i) {
+        std::vector<Candidate> offered(1 + random(6));
+        for (Candidate& c : offered) {
+            c.name = names.at(random(names.size()));
+            c.component = components.at(random(components.size()));
+            c.has_sign = random(3) == 0;
+            c.mostly_zero = random(5) == 0;
+        }
+        text += ",\n" + choice_line(offered);
+    }
+    return text + "\n]\n";
+}
+
+TEST(Contract, automatic_choice_is_what_every_viewer_agreed_on) {
+    const std::string path = test::project_file("tests/contract/choose.json");
+    if (const char* update = std::getenv("FEELEM_UPDATE_GOLDEN"); update != nullptr && *update == '1') {
+        test::write_file(path, choice_contract());
+    }
+
+    EXPECT_EQ(choice_contract(), test::read_file(path));
+}
+
 TEST(Contract, values_map_to_what_every_viewer_agreed_on) {
     const std::string path = test::project_file("tests/contract/senses.json");
     if (const char* update = std::getenv("FEELEM_UPDATE_GOLDEN"); update != nullptr && *update == '1') {

@@ -1,5 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Value -> colour, tone, tick, pulse. C++ `present` is the reference; tests/contract binds both.
+export {
+  type Candidate,
+  type Choice,
+  type ChosenEffect,
+  type ChosenResult,
+  choosePresentation,
+  type Slot,
+} from "./choose";
 export { bandOf, colourMaps, colourOf, mapColour, paletteColour } from "./colour-map";
 export { automaticDeformationFactor, normalise } from "./normalise";
 export { pulseOf, tickRateOf } from "./rates";

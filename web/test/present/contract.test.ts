@@ -4,6 +4,8 @@ import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import {
   automaticDeformationFactor,
+  type Candidate,
+  choosePresentation,
   colourMaps,
   colourOf,
   defaultColour,
@@ -128,5 +130,28 @@ test("pulses are the contract's", () => {
 test("deformation factors are the contract's", () => {
   for (const v of contract.deformation) {
     expectClose(automaticDeformationFactor(v.largestSide, v.largestDisplacement), v.factor, v);
+  }
+});
+
+interface ChoiceVector {
+  candidates: Candidate[];
+  results: { key: string; name: string; component: string; rangeMode: string; scale: string }[];
+  effects: { result: string; slot: string; map: string; invert: boolean }[];
+  deformation: string;
+}
+
+test("results are chosen and assigned as the contract says", () => {
+  const choices = new URL("../../../tests/contract/choose.json", import.meta.url);
+  const vectors = JSON.parse(readFileSync(choices, "utf8")) as ChoiceVector[];
+  expect(vectors.length).toBeGreaterThan(100);
+  for (const v of vectors) {
+    const choice = choosePresentation(v.candidates);
+    const results = choice.results.map(({ key, candidate: { name, component }, rangeMode, scale }) => {
+      return { key, name, component, rangeMode, scale };
+    });
+    const effects = choice.effects.map((e) => ({ ...e, map: e.map ?? "" }));
+    expect(results).toEqual(v.results);
+    expect(effects).toEqual(v.effects);
+    expect(choice.deformation ?? "").toBe(v.deformation);
   }
 });
