@@ -319,8 +319,9 @@ export class App implements ApiSource {
   /** Whatever follows the camera or the pointer. */
   #frame(): void {
     const { stage, view } = this;
+    if (stage.renderer.xr.isPresenting) return;
     view.model.fadeEdges(stage.orbit.pixelSize(stage.canvas.clientHeight));
-    if (stage.renderer.xr.isPresenting || (!this.#stale && !this.store.state.playing)) return;
+    if (!this.#stale && !this.store.state.playing) return;
     this.#stale = false;
     const matrix = view.model.worldMatrix();
     this.#page.renderTriad(stage, matrix, this.actions);

@@ -68,6 +68,8 @@ function typicalEdge(parts: readonly ScenePart[]): number {
   return lengths[Math.floor(lengths.length / 2)] ?? 0;
 }
 
+const scratchScale = new Vector3();
+
 export class ModelObject {
   /** Carries the scene's matrix; put it under whatever moves the model. */
   readonly group = new Group();
@@ -163,7 +165,7 @@ export class ModelObject {
 
   /** Edges fade out between 6 and 2 pixels an element; `pixelSize` is metres a pixel at the model. */
   fadeEdges(pixelSize: number): void {
-    const scale = new Vector3().setFromMatrixScale(this.group.matrix).x;
+    const scale = scratchScale.setFromMatrixScale(this.group.matrixWorld).x;
     const pixels = pixelSize > 0 ? (this.#typicalEdge * scale) / pixelSize : 0;
     const share = Math.min(Math.max((pixels - 2) / 4, 0), 1);
     this.edgeMaterial.setOpacity(this.#edgesWanted ? 0.55 * share : 0);

@@ -2,6 +2,7 @@
 // One stay in the headset: pointers probe and press, grips move the model, boards show table, legend and numbers.
 import {
   Color,
+  GridHelper,
   Matrix4,
   Mesh,
   MeshBasicMaterial,
@@ -19,6 +20,8 @@ import { PANEL_HEIGHT, PANEL_WIDTH, paintPanel } from "./vr-panel";
 import { type VrPointer, VrPointers } from "./vr-pointers";
 
 const ROOM_COLOUR = new Color(0x20282d);
+/** What one pixel of a headset covers, radians (20 to 25 pixels a degree). */
+const PIXEL_ANGLE = 0.0008;
 const scratchMatrix = new Matrix4();
 const scratchHead = new Vector3();
 
@@ -40,7 +43,10 @@ export class VrSession {
   readonly #card = new Board(CARD_SIZE.width, CARD_SIZE.height, 0.3);
   readonly #dots = new Map<string, Mesh>();
   readonly #removals: (() => void)[] = [];
+  /** Stands still whatever the hands do with the model: something to hold on to for the eyes. */
+  readonly #floor = new GridHelper(8, 16, 0x44525a, 0x323d44);
   readonly #raycaster = new Raycaster();
+  readonly #head = new Matrix4();
   #stand: Stand | null = null;
   #hover: string | null = null;
   #boardsStale = true;
@@ -50,7 +56,7 @@ export class VrSession {
     this.#host = host;
     this.#session = session;
     const { stage, store } = host.app;
-    stage.scene.add(this.#panel.mesh, this.#legend.mesh, this.#card.mesh);
+    stage.scene.add(this.#floor, this.#panel.mesh, this.#legend.mesh, this.#card.mesh);
     for (const board of [this.#panel, this.#legend, this.#card]) board.mesh.visible = false;
     this.#pointers = new VrPointers(stage.renderer, stage.scene, {
       connected: (pointer) => {
@@ -61,7 +67,7 @@ export class VrSession {
       squeeze: (pointer, on) => this.#squeeze(pointer, on),
     });
     this.#removals.push(
-      stage.onFrame(() => this.#frame()),
+      stage.onFrame((_seconds, frame) => this.#frame(frame)),
       store.subscribe(() => {
         this.#boardsStale = true;
       }),
@@ -125,14 +131,14 @@ export class VrSession {
     return hit?.uv ? { u: hit.uv.x, v: hit.uv.y, distance: hit.distance } : null;
   }
 
-  #frame(): void {
-    const { stage, view, probing } = this.#host.app;
-    const { xr } = stage.renderer;
-    if (!xr.isPresenting) return;
-    if (!this.#stand) this.#settle(xr.getCamera().matrixWorld);
+  #frame(frame: XRFrame | undefined): void {
+    const { view, probing } = this.#host.app;
+    if (!this.#findHead(frame)) return;
+    if (!this.#stand) this.#settle();
     const moved = this.#grab.move(this.#pointers.grips());
     if (moved) this.#setModel(moved);
     const world = view.model.worldMatrix(scratchMatrix);
+    view.model.fadeEdges(PIXEL_ANGLE * this.#distanceTo(world));
     let hover: string | null = null;
     for (const pointer of this.#pointers.rays()) {
       const board = this.#boardHit(pointer);
@@ -146,14 +152,20 @@ export class VrSession {
     this.#paint(hover);
   }
 
+  /** The middle of the eyes; false while nobody is tracked. */
+  #findHead(frame: XRFrame | undefined): boolean {
+    const space = this.#host.app.stage.renderer.xr.getReferenceSpace();
+    const pose = space && frame?.getViewerPose(space);
+    if (pose) this.#head.fromArray(pose.transform.matrix);
+    return pose !== null && pose !== undefined;
+  }
+
   /** First frame: the person's place is known, the room is laid out round it. */
-  #settle(head: Matrix4): void {
-    // Before the first pose the head is at the origin of the room, which is nobody's.
-    if (scratchHead.setFromMatrixPosition(head).lengthSq() === 0) return;
-    const stand = standOf(head);
+  #settle(): void {
+    const stand = standOf(this.#head);
     this.#stand = stand;
-    const eye = scratchHead.clone();
-    this.#placeBoard(this.#panel.mesh, placeBefore(stand, -0.62, 1.1, 0.72), eye);
+    const eye = new Vector3().setFromMatrixPosition(this.#head);
+    this.#placeBoard(this.#panel.mesh, placeBefore(stand, -0.74, 1.15, 0.95), eye);
     this.#placeBoard(this.#legend.mesh, placeBefore(stand, 0.72, 1.12, 1.05), eye);
     this.putOnTable();
     this.#boardsStale = true;
@@ -184,6 +196,12 @@ export class VrSession {
     holder.updateMatrixWorld(true);
   }
 
+  /** From the eyes to the model's middle, metres. */
+  #distanceTo(world: Matrix4): number {
+    const middle = this.#host.app.view.model.box.getCenter(new Vector3()).applyMatrix4(world);
+    return Math.max(middle.distanceTo(scratchHead.setFromMatrixPosition(this.#head)), 0.1);
+  }
+
   #showDot(name: string, at: Vector3 | null): void {
     let dot = this.#dots.get(name);
     if (!dot) {
@@ -196,7 +214,7 @@ export class VrSession {
   }
 
   #paint(hover: string | null): void {
-    const { probing, view, stage, actions } = this.#host.app;
+    const { probing, view, actions } = this.#host.app;
     if (this.#boardsStale || hover !== this.#hover) {
       this.#hover = hover;
       const model = this.#host.panelModel(hover);
@@ -225,16 +243,12 @@ export class VrSession {
     this.#boardsStale = false;
     const place = probing.current()?.place;
     this.#card.mesh.visible = card !== null && place !== null && place !== undefined;
-    if (place)
-      this.#placeCard(
-        view.picker.worldOf(place, view.model.worldMatrix()),
-        stage.renderer.xr.getCamera().matrixWorld,
-      );
+    if (place) this.#placeCard(view.picker.worldOf(place, view.model.worldMatrix()));
   }
 
   /** Above the place, facing the eyes, as large for them at any distance. */
-  #placeCard(at: Vector3, head: Matrix4): void {
-    const eye = scratchHead.setFromMatrixPosition(head);
+  #placeCard(at: Vector3): void {
+    const eye = scratchHead.setFromMatrixPosition(this.#head);
     const distance = Math.max(at.distanceTo(eye), 0.2);
     const { mesh } = this.#card;
     mesh.scale.setScalar(distance);
@@ -255,6 +269,8 @@ export class VrSession {
       dot.removeFromParent();
       probing.remove(name);
     }
+    this.#floor.removeFromParent();
+    this.#floor.dispose();
     stage.holder.matrix.identity();
     stage.holder.updateMatrixWorld(true);
     stage.orbit.apply();

@@ -27,7 +27,7 @@ function emulateHeadset() {
   globalThis.headset = device;
   globalThis.felt = [];
   for (const hand of ["left", "right"]) {
-    const actuator = device.controllers[hand].gamepad?.hapticActuators?.[0];
+    const actuator = device.controllers[hand].inputSource?.gamepad?.hapticActuators?.[0];
     if (!actuator) continue;
     const pulse = actuator.pulse.bind(actuator);
     actuator.pulse = (value, ms) => {

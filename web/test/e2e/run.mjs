@@ -8,6 +8,7 @@ import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { readScene } from "./oracle.mjs";
 import { serve } from "./server.mjs";
+import { vrTests } from "./vr.mjs";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const wanted = process.argv[2] ?? "";
@@ -21,7 +22,7 @@ const browser = await launch();
 const given = { browser, url: server.url, scene: readScene(glb) };
 let passed = 0;
 let failed = 0;
-for (const { name, run } of deskTests) {
+for (const { name, run } of [...deskTests, ...vrTests]) {
   if (!name.includes(wanted)) continue;
   const start = Date.now();
   try {
