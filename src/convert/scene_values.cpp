@@ -22,7 +22,7 @@ std::size_t bytes_of(const SurfaceField& field) {
     return field.values.size() * sizeof(float) + field.validity.size() * sizeof(Validity);
 }
 
-/// Only these components of a result, in this order; the result itself when it has no others.
+/// Only these components of a result, in this order.
 Result pick_components(const Result& result, const std::vector<std::string>& components) {
     Result picked;
     picked.info = result.info;
@@ -48,12 +48,9 @@ SceneValueStore::SceneValueStore(
     : source_(source), surface_(surface), plan_(plan), averaging_(averaging),
       byte_limit_(std::max(kLeastLimit, bytes_of(surface) / 2)) {}
 
-SurfaceField SceneValueStore::make_field(const Result& result, const PlannedResult& planned) const {
-    if (planned.scene.components == result.info.components) return carry(source_.mesh(), surface_, result);
-    if (planned.components.size() > 1) {
-        return carry(source_.mesh(), surface_, pick_components(result, planned.components));
-    }
-    return carry(source_.mesh(), surface_, component_of(result, planned.components.front()));
+Result SceneValueStore::made_of(const Result& result, const PlannedResult& planned) const {
+    if (planned.components.size() > 1) return pick_components(result, planned.components);
+    return component_of(result, planned.components.front());
 }
 
 void SceneValueStore::keep(const Key& key, SurfaceField field) {
@@ -74,13 +71,16 @@ void SceneValueStore::read_all(const Progress& progress) {
     for (const auto& [index, keys] : users) {
         report_progress(progress, "results", fraction_of(done++, users.size()));
         const Result result = load_prepared(source_, index, averaging_);
-        const std::vector<ComponentRange> all = ranges_over_model(source_.mesh(), result);
         for (const Key& key : keys) {
             const PlannedResult& planned = plan_.results[key.first];
-            for (const std::string& component : planned.components) {
-                ranges_[key].push_back(*std::ranges::find(all, component, &ComponentRange::component));
+            // Usually the whole result: then it is not copied.
+            const bool is_whole = planned.components == result.info.components;
+            const Result made = is_whole ? Result{} : made_of(result, planned);
+            const Result& values = is_whole ? result : made;
+            for (std::size_t c = 0; c < planned.components.size(); ++c) {
+                ranges_[key].push_back(range_over_model(source_.mesh(), values, c));
             }
-            SurfaceField field = make_field(result, planned);
+            SurfaceField field = carry(source_.mesh(), surface_, values);
             interpolated_ += field.interpolated;
             keep(key, std::move(field));
         }
@@ -95,7 +95,9 @@ SurfaceField SceneValueStore::field(std::size_t result, std::size_t values) {
     const auto kept = fields_.find({result, values});
     if (kept != fields_.end()) return kept->second;
     const PlannedResult& planned = plan_.results.at(result);
-    return make_field(load_prepared(source_, planned.values.at(values).source_result, averaging_), planned);
+    const Result all = load_prepared(source_, planned.values.at(values).source_result, averaging_);
+    if (planned.components == all.info.components) return carry(source_.mesh(), surface_, all);
+    return carry(source_.mesh(), surface_, made_of(all, planned));
 }
 
 SurfaceField SceneValueStore::take_field(std::size_t result, std::size_t values) {

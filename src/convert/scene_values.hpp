@@ -32,7 +32,8 @@ public:
 
 private:
     using Key = std::pair<std::size_t, std::size_t>;  // scene result, values
-    SurfaceField make_field(const Result& result, const PlannedResult& planned) const;
+    /// Exactly the components that the planned result has, stored or derived.
+    Result made_of(const Result& result, const PlannedResult& planned) const;
     void keep(const Key& key, SurfaceField field);
 
     ModelSource& source_;
