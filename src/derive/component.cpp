@@ -14,7 +14,7 @@
 namespace feelem {
 namespace {
 
-constexpr std::size_t kChunk = 1U << 12U;
+constexpr std::size_t kRowsAtOnce = 1U << 12U;
 
 const Derivation& find_derivation(const ResultInfo& info, std::string_view component) {
     for (const Derivation& derivation : derivations()) {
@@ -62,7 +62,7 @@ Result component_of(const Result& result, std::string_view component) {
     // Invariants do not depend on the system, nor on how shear is written.
     out.info.nodal_system = false;
     out.info.shear = Shear::NotApplicable;
-    parallel_chunks(out.values.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    parallel_chunks(out.values.size(), kRowsAtOnce, [&](std::size_t first, std::size_t last) {
         for (std::size_t row = first; row < last; ++row) {
             const auto values = std::span(result.values).subspan(row * width, width);
             out.values[row] = static_cast<float>(derivation.make(result.info, values));

@@ -24,10 +24,6 @@ struct Bare {
     std::vector<NodeIndex> nodes;  ///< In order along the beam: ends and what lies between.
 };
 
-bool is_known(const Mesh& mesh, NodeIndex node) {
-    return std::ranges::all_of(mesh.coordinates[raw(node)], [](double v) { return std::isfinite(v); });
-}
-
 /// Elements of one dimension, ordered by part, those without coordinates left out.
 std::vector<Bare> bare_elements(const Mesh& mesh, std::uint8_t dimension) {
     std::vector<Bare> out;
@@ -37,11 +33,11 @@ std::vector<Bare> bare_elements(const Mesh& mesh, std::uint8_t dimension) {
         for (std::size_t i = 0; row.dimension == dimension && i < block.ids.size(); ++i) {
             const auto nodes = std::span(block.nodes).subspan(i * row.node_count, row.node_count);
             if (!std::ranges::all_of(nodes.first(row.corner_count), [&](NodeIndex n) {
-                    return is_known(mesh, n);
+                    return has_place(mesh, n);
                 }))
                 continue;
             Bare bare{block.parts[i], ElementIndex{first + static_cast<std::uint32_t>(i)}, {nodes[0]}};
-            if (row.node_count == 3 && nodes[2] != kNoNode && is_known(mesh, nodes[2]))
+            if (row.node_count == 3 && nodes[2] != kNoNode && has_place(mesh, nodes[2]))
                 bare.nodes.push_back(nodes[2]);
             if (row.corner_count == 2) bare.nodes.push_back(nodes[1]);
             out.push_back(std::move(bare));

@@ -2,6 +2,7 @@
 #include "skin/outline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace feelem {
@@ -61,6 +62,10 @@ Outline outline_of(const Mesh& mesh, FacetRef ref) noexcept {
     Outline out = outline_of(facets_of(mesh.blocks[ref.block].type)[ref.facet], element_nodes(mesh, ref));
     if (ref.flipped && out.count > 0) turn_round(out);
     return out;
+}
+
+bool has_place(const Mesh& mesh, NodeIndex node) noexcept {
+    return std::ranges::all_of(mesh.coordinates[raw(node)], [](double v) { return std::isfinite(v); });
 }
 
 bool same_middles(const Outline& a, const Outline& b) noexcept {

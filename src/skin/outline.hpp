@@ -39,6 +39,9 @@ Outline outline_of(const Mesh& mesh, FacetRef ref) noexcept;
 /// Nodes of the element that `ref` names.
 std::span<const NodeIndex> element_nodes(const Mesh& mesh, FacetRef ref) noexcept;
 
+/// Whether the node's coordinates are known.
+bool has_place(const Mesh& mesh, NodeIndex node) noexcept;
+
 /// Whether the outlines, which have the same corners, have the same middles between them.
 bool same_middles(const Outline& a, const Outline& b) noexcept;
 

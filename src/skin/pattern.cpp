@@ -4,9 +4,9 @@
 namespace feelem {
 namespace {
 
-constexpr FacetTriangle kTriangle[]{{0, 1, 2}};
+constexpr FacetTriangle kPlainTriangle[]{{0, 1, 2}};
 constexpr FacetTriangle kTriangleWithMiddles[]{{0, 4, 6}, {4, 1, 5}, {6, 5, 2}, {4, 5, 6}};
-constexpr FacetTriangle kQuad[]{{0, 1, 8}, {1, 2, 8}, {2, 3, 8}, {3, 0, 8}};
+constexpr FacetTriangle kPlainQuad[]{{0, 1, 8}, {1, 2, 8}, {2, 3, 8}, {3, 0, 8}};
 constexpr FacetTriangle kQuadWithMiddles[]{
     {0, 4, 8}, {4, 1, 8}, {1, 5, 8}, {5, 2, 8}, {2, 6, 8}, {6, 3, 8}, {3, 7, 8}, {7, 0, 8}};
 
@@ -20,10 +20,10 @@ constexpr std::uint8_t kAlongPlainSide[4][1]{{0}, {1}, {2}, {3}};
 std::span<const FacetTriangle> pattern_of(const Outline& facet) noexcept {
     if (facet.count == 3) {
         if (facet.has_middles()) return kTriangleWithMiddles;
-        return kTriangle;
+        return kPlainTriangle;
     }
     if (facet.has_middles()) return kQuadWithMiddles;
-    return kQuad;
+    return kPlainQuad;
 }
 
 std::span<const std::uint8_t> pattern_along(const Outline& facet, std::size_t side) noexcept {

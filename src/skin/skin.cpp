@@ -12,7 +12,6 @@
 #include "feelem/error.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,21 +83,16 @@ std::vector<FacetRef> shell_facets(const Mesh& mesh) {
     return out;
 }
 
-bool is_known(const Mesh& mesh, NodeIndex node) {
-    const Point3& at = mesh.coordinates[raw(node)];
-    return std::isfinite(at[0]) && std::isfinite(at[1]) && std::isfinite(at[2]);
-}
-
 /// The outline as it is drawn; no corners when a corner's place is not known.
 Outline drawable(const Mesh& mesh, FacetRef ref, unsigned subdivide) {
     Outline outline = outline_of(mesh, ref);
     for (std::size_t i = 0; i < outline.count; ++i) {
-        if (!is_known(mesh, outline.corners[i])) return {};
+        if (!has_place(mesh, outline.corners[i])) return {};
         NodeIndex& middle = outline.middles[i];
-        if (middle != kNoNode && (subdivide == 0 || !is_known(mesh, middle))) middle = kNoNode;
+        if (middle != kNoNode && (subdivide == 0 || !has_place(mesh, middle))) middle = kNoNode;
     }
     NodeIndex& centre = outline.centre;
-    if (centre != kNoNode && (subdivide == 0 || !is_known(mesh, centre))) centre = kNoNode;
+    if (centre != kNoNode && (subdivide == 0 || !has_place(mesh, centre))) centre = kNoNode;
     return outline;
 }
 
