@@ -18,6 +18,12 @@ void set_thread_count(unsigned count) {
         limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, count);
 }
 
+unsigned thread_count() {
+    return static_cast<unsigned>(
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism)
+    );
+}
+
 void parallel_chunks(
     std::size_t count, std::size_t chunk, const std::function<void(std::size_t first, std::size_t last)>& body
 ) {

@@ -12,6 +12,8 @@ inline constexpr std::size_t kParallelChunk = 1U << 14U;
 
 /// At most this many threads from now on; 0: as many as the machine has.
 void set_thread_count(unsigned count);
+/// How many threads parallel_chunks may use now.
+unsigned thread_count();
 
 /// Calls body(first, last) for the chunks of [0, count), each `chunk` long but the last, in any order and at
 /// once. An exception from body is rethrown here.

@@ -74,6 +74,33 @@ private:
     std::vector<std::uint64_t> words_;
 };
 
+/// Adds the facets of elements [first, last) at their smallest corners; returns how many collapse. `kShared`:
+/// other threads add there too.
+template <bool kShared>
+std::uint64_t add_hashes(
+    const SolidBlock& solids,
+    const std::vector<bool>& set_aside,
+    std::size_t first,
+    std::size_t last,
+    std::uint64_t* sums
+) {
+    std::uint64_t collapsed = 0;
+    const ElementType type = solids.block->type;
+    for (std::size_t i = first; i < last; ++i) {
+        if (is_set_aside(set_aside, solids, i)) continue;
+        facet_hash::for_each(type, solids.nodes(i), [&](std::size_t, FacetHash hash) {
+            if (hash.value == 0) {
+                ++collapsed;
+            } else if constexpr (kShared) {
+                std::atomic_ref(sums[hash.lowest]).fetch_add(hash.value, std::memory_order_relaxed);
+            } else {
+                sums[hash.lowest] += hash.value;
+            }
+        });
+    }
+    return collapsed;
+}
+
 NodeMarks nodes_with_a_rest(
     const Mesh& mesh,
     const std::vector<SolidBlock>& blocks,
@@ -82,32 +109,19 @@ NodeMarks nodes_with_a_rest(
 ) {
     std::vector<std::uint64_t> sums(mesh.node_count());
     std::atomic<std::uint64_t> collapsed{0};
-    std::atomic<std::uint64_t> of_set_aside{0};
+    const bool is_shared = thread_count() > 1;
     for (const SolidBlock& solids : blocks) {
-        const auto facets = facets_of(solids.block->type);
-        found.in += solids.block->ids.size() * facets.size();
-        parallel_chunks(solids.block->ids.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
-            std::uint64_t collapsed_here = 0;
-            for (std::size_t i = first; i < last; ++i) {
-                if (is_set_aside(set_aside, solids, i)) {
-                    of_set_aside.fetch_add(facets.size(), std::memory_order_relaxed);
-                    continue;
-                }
-                const auto nodes = solids.nodes(i);
-                for (const FacetRow& facet : facets) {
-                    const FacetHash hash = facet_hash::of(facet, nodes);
-                    if (hash.value == 0) {
-                        ++collapsed_here;
-                        continue;
-                    }
-                    std::atomic_ref(sums[hash.lowest]).fetch_add(hash.value, std::memory_order_relaxed);
-                }
-            }
-            collapsed.fetch_add(collapsed_here, std::memory_order_relaxed);
+        const std::size_t count = solids.block->ids.size();
+        found.in += count * solids.row->facet_count;
+        for (std::size_t i = 0; !set_aside.empty() && i < count; ++i) {
+            if (is_set_aside(set_aside, solids, i)) found.of_set_aside += solids.row->facet_count;
+        }
+        parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
+            const auto add = is_shared ? add_hashes<true> : add_hashes<false>;
+            collapsed.fetch_add(add(solids, set_aside, first, last, sums.data()), std::memory_order_relaxed);
         });
     }
     found.collapsed = collapsed;
-    found.of_set_aside = of_set_aside;
     return NodeMarks(sums);
 }
 
@@ -125,15 +139,17 @@ std::vector<FacetCandidate> candidates_at(
                 const auto nodes = solids.nodes(i);
                 if (!marks.any(nodes.first(solids.row->corner_count)) || is_set_aside(set_aside, solids, i))
                     continue;
-                for (std::size_t facet = 0; facet < facets.size(); ++facet) {
-                    const FacetHash hash = facet_hash::of(facets[facet], nodes);
-                    if (hash.value == 0 || !marks(hash.lowest)) continue;
+                facet_hash::for_each(solids.block->type, nodes, [&](std::size_t facet, FacetHash hash) {
+                    if (hash.value == 0 || !marks(hash.lowest)) return;
                     const FacetRef ref{
                         static_cast<std::uint32_t>(i), solids.index, static_cast<std::uint8_t>(facet)};
                     here.push_back({sorted_corners(outline_of(facets[facet], nodes)), hash.value, ref});
-                }
+                });
             }
         });
+        std::size_t total = all.size();
+        for (const std::vector<FacetCandidate>& part : found) total += part.size();
+        all.reserve(total);
         for (std::vector<FacetCandidate>& part : found) {
             all.insert(all.end(), part.begin(), part.end());
             part = {};

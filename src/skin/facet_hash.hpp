@@ -77,21 +77,60 @@ inline FacetHash of(const Outline& outline) noexcept {
                               : quad(raw(at[0]), raw(at[1]), raw(at[2]), raw(at[3]), middles);
 }
 
-/// Facet `row` of an element; quick where no corner repeats.
+/// Sum of what the middles of facet `row` add, from node `first` of the facet on.
+template <std::size_t kFirst, std::size_t kCount>
+std::uint64_t middles(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
+    std::uint64_t sum = 0;
+    for (std::size_t i = kFirst; i < kFirst + kCount; ++i) sum += middle(nodes[row.nodes[i]]);
+    return sum;
+}
+
+/// Facet `row`, a triangle, of an element.
+template <bool kQuadratic>
+FacetHash of_triangle(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
+    const std::uint32_t a = raw(nodes[row.nodes[0]]);
+    const std::uint32_t b = raw(nodes[row.nodes[1]]);
+    const std::uint32_t c = raw(nodes[row.nodes[2]]);
+    if ((a == b) | (b == c) | (c == a)) return {};
+    if constexpr (kQuadratic) return triangle(a, b, c, middles<3, 3>(row, nodes));
+    return triangle(a, b, c, 0);
+}
+
+/// Facet `row`, a quad, of an element. Its centre node does not count: brick20 and brick27 may be neighbours.
+template <bool kQuadratic>
+FacetHash of_quad(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
+    const std::uint32_t a = raw(nodes[row.nodes[0]]);
+    const std::uint32_t b = raw(nodes[row.nodes[1]]);
+    const std::uint32_t c = raw(nodes[row.nodes[2]]);
+    const std::uint32_t d = raw(nodes[row.nodes[3]]);
+    const bool repeats = (a == b) | (b == c) | (c == d) | (d == a) | (a == c) | (b == d);
+    if (repeats) return of(outline_of(row, nodes));
+    if constexpr (kQuadratic) return quad(a, b, c, d, middles<4, 4>(row, nodes));
+    return quad(a, b, c, d, 0);
+}
+
+/// Any facet `row` of an element.
 inline FacetHash of(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
-    const auto node = [&](std::size_t i) { return raw(nodes[row.nodes[i]]); };
-    const auto middle_at = [&](std::size_t i) { return middle(nodes[row.nodes[i]]); };
-    const std::uint32_t a = node(0), b = node(1), c = node(2);
-    if (row.type == ElementType::Tri3 || row.type == ElementType::Tri6) {
-        if (a == b || b == c || c == a) return {};
-        const bool quadratic = row.type == ElementType::Tri6;
-        if (!quadratic) return triangle(a, b, c, 0);
-        return triangle(a, b, c, middle_at(3) + middle_at(4) + middle_at(5));
+    switch (row.type) {
+    case ElementType::Tri3: return of_triangle<false>(row, nodes);
+    case ElementType::Tri6: return of_triangle<true>(row, nodes);
+    case ElementType::Quad4: return of_quad<false>(row, nodes);
+    default: return of_quad<true>(row, nodes);
     }
-    const std::uint32_t d = node(3);
-    if (a == b || b == c || c == d || d == a || a == c || b == d) return of(outline_of(row, nodes));
-    if (row.type == ElementType::Quad4) return quad(a, b, c, d, 0);
-    return quad(a, b, c, d, middle_at(4) + middle_at(5) + middle_at(6) + middle_at(7));
+}
+
+/// Calls visit(facet, hash) for the facets of an element of `type`. The two types that big meshes are made of
+/// have loops of their own, which the compiler unrolls.
+template <class Visit>
+void for_each(ElementType type, std::span<const NodeIndex> nodes, Visit visit) {
+    const auto facets = facets_of(type);
+    if (type == ElementType::Hex8) {
+        for (std::size_t i = 0; i < 6; ++i) visit(i, of_quad<false>(facets[i], nodes));
+    } else if (type == ElementType::Tet4) {
+        for (std::size_t i = 0; i < 4; ++i) visit(i, of_triangle<false>(facets[i], nodes));
+    } else {
+        for (std::size_t i = 0; i < facets.size(); ++i) visit(i, of(facets[i], nodes));
+    }
 }
 
 }  // namespace facet_hash
