@@ -110,6 +110,10 @@ int number_of(std::string_view name) {
     return number;
 }
 
+bool is_number(std::string_view name) {
+    return name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<ElementName> find_element(int number) {
@@ -127,8 +131,12 @@ std::optional<ElementName> find_element(int number) {
 std::optional<ElementName> find_element(std::string_view name) {
     name = trim(name);
     if (name.ends_with('.')) name.remove_suffix(1);  // A NOTE of the solver ends its sentence there.
-    const int number = number_of(name);
-    return number < 0 ? std::nullopt : find_element(number);
+    const auto found = find_element(number_of(name));
+    if (!found || is_number(name)) return found;
+    // Spellings differ in the end (COMBI214, COMBIN214), so two letters must do.
+    const auto capital = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
+    const bool same = capital(name[0]) == found->name[0] && capital(name[1]) == found->name[1];
+    return same ? found : std::nullopt;
 }
 
 bool is_drawn(ElementKind kind) {

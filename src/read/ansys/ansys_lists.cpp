@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace feelem {
@@ -106,6 +107,15 @@ private:
         own_mesh_ =
             build_mesh(model_.files, std::move(types), std::move(nodes), part_names(materials), diagnostics_);
         mesh_ = &own_mesh_;
+        const auto has_no_place = [](const Point3& place) { return std::isnan(place[0]); };
+        if (!own_mesh_.blocks.empty() && std::ranges::any_of(own_mesh_.coordinates, has_no_place)) {
+            diagnostics_.add(
+                Code::NotAMesh,
+                std::string(),
+                "the inputs name elements but not where their nodes are. Add the node list: "
+                "NLIST,ALL,,,COORD."
+            );
+        }
         if (context.mesh == nullptr) return;
         // The same mesh again: one copy is enough.
         check_same_mesh(*context.mesh, own_mesh_, model_.files.front().input.name());
@@ -148,14 +158,6 @@ private:
 
     std::vector<NodeId> ids_without_places() {
         std::vector<NodeId> ids = nodes_of_elements(model_.files);
-        if (!ids.empty()) {
-            diagnostics_.add(
-                Code::NotAMesh,
-                std::string(),
-                "the inputs list elements but not where their nodes are. Add the node list: "
-                "NLIST,ALL,,,COORD."
-            );
-        }
         for (std::size_t i = 0; i < model_.files.size(); ++i) {
             const ListFile& file = model_.files[i];
             for (std::size_t l = 0; l < file.lists.size(); ++l) {

@@ -2,6 +2,7 @@
 #include "read/ansys/list_mesh.hpp"
 
 #include "model/mesh_builder.hpp"
+#include "read/ansys/list_results.hpp"
 
 #include <fmt/format.h>
 
@@ -107,6 +108,36 @@ public:
         );
     }
 
+    /// An element that only a list of its values names: its corners, in the order of their rows.
+    void add_named(
+        const ListFile& file,
+        std::int64_t id,
+        std::string_view name,
+        std::span<const std::int64_t> nodes,
+        std::size_t offset
+    ) {
+        if (!seen_.insert(id)) return;  // By another list of values.
+        TypeShape type;
+        type.name = name;
+        type.element = find_element(name);
+        const auto where = [&] { return file.input.where_line(offset); };
+        const auto shape = shape_of(type, nodes.size());
+        if (!shape) {
+            ElementRowIds row;
+            row.nodes = nodes;
+            leave_out(row, type, where);
+            return;
+        }
+        for (std::size_t i = 0; i < shape->nodes; ++i) nodes_[i] = NodeId{nodes[i]};
+        builder_.add_element(
+            ElementId{id},
+            shape->type,
+            std::span(nodes_).first(shape->nodes),
+            builder_.part("elements"),
+            where
+        );
+    }
+
 private:
     const TypeShape& type_of(std::int64_t number) {
         if (number != last_type_ || type_ == nullptr) {
@@ -149,6 +180,38 @@ private:
     std::int64_t last_material_ = -1;
     PartIndex part_{};
 };
+
+/// Elements out of PRESOL listings, when no list of elements is there.
+void add_elements_of_values(std::span<const ListFile> files, ElementAdder& adder) {
+    for (const ListFile& file : files) {
+        for (const List& list : file.lists) {
+            if (list.kind != ListKind::ElementNodalValues) continue;
+            ValueRow current;
+            std::vector<std::int64_t> nodes;
+            const auto close = [&] {
+                const std::size_t layers = count_layers(nodes);
+                if (!nodes.empty()) {
+                    adder.add_named(
+                        file,
+                        current.element,
+                        current.element_type,
+                        std::span(nodes).first(nodes.size() / layers),
+                        current.offset
+                    );
+                }
+                nodes.clear();
+            };
+            for_each_value_row(file, list, nullptr, [&](const ValueRow& row) {
+                if (row.element != current.element) {
+                    close();
+                    current = row;
+                }
+                nodes.push_back(row.id);
+            });
+            close();
+        }
+    }
+}
 
 std::optional<LengthUnit> length_unit(const std::string& name) {
     struct Row {
@@ -279,6 +342,12 @@ Mesh build_mesh(
             });
         }
     }
+    const bool has_element_list = std::ranges::any_of(files, [](const ListFile& file) {
+        return std::ranges::any_of(file.lists, [](const List& list) {
+            return list.kind == ListKind::Elements && list.has_nodes;
+        });
+    });
+    if (!has_element_list) add_elements_of_values(files, adder);
     for (const std::string& part : parts) builder.part(part);
     return builder.finish();
 }

@@ -165,10 +165,7 @@ private:
             std::int64_t element = 0;
             std::vector<std::int64_t> nodes;
             const auto close = [&] {
-                const std::size_t rows = nodes.size();
-                std::ranges::sort(nodes);
-                nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-                if (rows > 0) found[std::min<std::size_t>(rows / nodes.size(), 3)] = true;
+                if (!nodes.empty()) found[count_layers(nodes)] = true;
                 nodes.clear();
             };
             for_each_table_row(model_, table, nullptr, [&](const ValueRow& row) {
@@ -320,6 +317,16 @@ private:
 std::string body_name(const ExportFile& file, std::size_t body) {
     const std::string& name = file.input.name();
     return fmt::format("{} body {}", name.substr(name.find_last_of('/') + 1), body + 1);
+}
+
+std::size_t count_layers(std::span<const std::int64_t> nodes) {
+    for (const std::size_t layers : {2U, 3U}) {
+        const std::size_t period = nodes.size() / layers;
+        if (nodes.size() % layers != 0 || period < 2) continue;
+        if (std::equal(nodes.begin() + static_cast<std::ptrdiff_t>(period), nodes.end(), nodes.begin()))
+            return layers;
+    }
+    return 1;
 }
 
 ListedResults list_results(

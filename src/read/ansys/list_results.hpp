@@ -67,6 +67,10 @@ private:
     std::vector<std::pair<std::int64_t, std::uint32_t>> indices_;
 };
 
+/// How many rows each node of an element has in PRESOL: 1, 2 (top, bottom) or 3 (and middle), when the rows
+/// repeat the same nodes in the same order.
+std::size_t count_layers(std::span<const std::int64_t> nodes);
+
 /// The values. Reports what could not be used when diagnostics are given.
 Result load_values(
     const ListModel& model, const ListedResult& listed, const Mesh& mesh, Diagnostics* diagnostics

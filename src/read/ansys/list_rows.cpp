@@ -163,14 +163,14 @@ private:
     bool has_bad_value_ = false;
 };
 
-/// "ELEMENT=   32423        SOLID187": the element, or 0 when the line is another one.
-std::int64_t element_of_line(std::string_view line) {
+/// "ELEMENT=   32423        SOLID187": the element and its type; other lines change nothing.
+void read_element_line(std::string_view line, ValueRow& row) {
     const std::string_view text = trim(line);
     constexpr std::string_view kKey = "ELEMENT=";
-    if (!text.starts_with(kKey)) return 0;
+    if (!text.starts_with(kKey)) return;
     Cursor cursor(text.substr(kKey.size()));
-    std::int64_t id = 0;
-    return scan_unsigned(cursor, id) ? id : 0;
+    if (!scan_unsigned(cursor, row.element)) row.element = 0;
+    row.element_type = next_word(cursor);
 }
 
 }  // namespace
@@ -224,8 +224,7 @@ void for_each_value_row(
         Lines lines(file.input.text(), run.begin, run.end, file.line_end);
         while (lines.next()) {
             if (!is_digit(first_mark(lines.line()))) {
-                const std::int64_t element = element_of_line(lines.line());
-                if (element != 0) row.element = element;
+                read_element_line(lines.line(), row);
                 continue;
             }
             const RowKind kind = parser.parse(lines.line(), row.id);

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace feelem::ansys {
@@ -33,7 +34,8 @@ struct ElementRowIds {
 
 struct ValueRow {
     std::int64_t id = 0;            ///< Node, or element in ListKind::ElementValues.
-    std::int64_t element = 0;       ///< ListKind::ElementNodalValues.
+    std::int64_t element = 0;       ///< ListKind::ElementNodalValues,
+    std::string_view element_type;  ///< with the name of its type: "SOLID187".
     std::span<const float> values;  ///< One a column; NaN = missing.
     bool has_bad_value = false;     ///< ***, NaN or too large.
     std::size_t offset = 0;

@@ -231,13 +231,9 @@ private:
     }
 
     /// The rows of an element that belong to the result's layer.
-    void take_layer(std::vector<std::int64_t> nodes, const OwnedRows& from, OwnedRows& to) {
-        if (nodes.empty()) return;
-        const std::size_t rows = nodes.size();
-        std::ranges::sort(nodes);
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-        const std::size_t count = nodes.size();
-        const std::size_t layers = std::min<std::size_t>(rows / count, 3);
+    void take_layer(std::span<const std::int64_t> nodes, const OwnedRows& from, OwnedRows& to) {
+        const std::size_t layers = count_layers(nodes);
+        const std::size_t count = nodes.size() / layers;
         std::size_t first = 0;
         switch (listed_.info.layer) {
         case Layer::No:
@@ -256,7 +252,7 @@ private:
             break;
         }
         const std::size_t width = listed_.columns.size();
-        for (std::size_t i = first; i < std::min(first + count, rows); ++i) {
+        for (std::size_t i = first; i < first + count; ++i) {
             if (from.owners[i] == raw(kNoElement) || from.nodes[i] == kNoNode) {
                 ++losses_.without_place;
                 continue;
