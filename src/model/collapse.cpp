@@ -100,6 +100,16 @@ ElementType quadratic_of(ElementType linear) {
     }
 }
 
+/// Without memory of its own: nearly every element of a large mesh ends here.
+bool all_differ(std::span<const NodeIndex> corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        for (std::size_t j = i + 1; j < corners.size(); ++j) {
+            if (corners[i] == corners[j]) return false;
+        }
+    }
+    return true;
+}
+
 std::optional<CollapsedElement> collapse_shell(ElementType type, std::span<const NodeIndex> nodes) {
     const FacetCorners corners = collapsed_corners(facets_of(type)[0], nodes);
     if (corners.count != 3 || element_row(type).corner_count != 4) return std::nullopt;
@@ -123,10 +133,10 @@ FacetCorners collapsed_corners(const FacetRow& facet, std::span<const NodeIndex>
 
 std::optional<CollapsedElement> collapse(ElementType type, std::span<const NodeIndex> nodes) {
     const ElementRow& row = element_row(type);
+    if (row.dimension < 2 || all_differ(nodes.first(row.corner_count))) return std::nullopt;
     std::vector<NodeIndex> distinct(nodes.begin(), nodes.begin() + row.corner_count);
     std::ranges::sort(distinct);
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    if (distinct.size() == row.corner_count || row.dimension < 2) return std::nullopt;
 
     std::optional<CollapsedElement> out;
     if (row.dimension == 2) {

@@ -71,28 +71,33 @@ inline constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/// "-1.23456E-01" or " 1.23456E-01", nothing else. False: take the general way.
+/// "-1.23456E-01" or " 1.23456E-01", nothing else. False: take the general way. Without branches that depend
+/// on the number: signs and exponents of results are as good as random.
 template <class T>
 bool fast_real12(const char* at, T& out) {
     const std::uint64_t word = load8(at);
-    const bool negative = at[0] == '-';
-    if ((at[0] != ' ' && !negative) || at[2] != '.' || at[8] != 'E') return false;
     // s d . d d d d d  ->  0 0 d d d d d d
     const std::uint64_t digits = (word & 0xFFFFFFFFFF000000) | ((word & 0xFF00) << 8) | 0x3030;
-    if (!is_eight_digits(digits)) return false;
     const auto tens = static_cast<unsigned>(at[10] - '0');
     const auto units = static_cast<unsigned>(at[11] - '0');
-    if ((at[9] != '+' && at[9] != '-') || tens > 9 || units > 9) return false;
+    const bool negative = at[0] == '-';
+    const bool shrinks = at[9] == '-';
+    const bool plain = (negative | (at[0] == ' ')) & (at[2] == '.') & (at[8] == 'E') &
+                       (shrinks | (at[9] == '+')) & (tens <= 9) & (units <= 9) & is_eight_digits(digits);
     const int written = static_cast<int>(tens * 10 + units);
-    const int exponent = (at[9] == '-' ? -written : written) - 5;
-    if (exponent < -22 || exponent > 22) return false;
+    const int exponent = (shrinks ? -written : written) - 5;
+    if (!plain || exponent < -22 || exponent > 22) return false;
+    // One of the two factors is 1, so that there is one rounding.
+    const auto up = static_cast<std::size_t>(exponent > 0 ? exponent : 0);
+    const auto down = static_cast<std::size_t>(exponent < 0 ? -exponent : 0);
     const double mantissa = value_of_eight_digits(digits);
-    const auto power = kPowersOfTen[static_cast<std::size_t>(exponent < 0 ? -exponent : exponent)];
-    const double value = exponent < 0 ? mantissa / power : mantissa * power;
+    const double value = mantissa * kPowersOfTen[up] / kPowersOfTen[down];
+    auto bits = std::bit_cast<std::uint64_t>(value);
     if constexpr (std::is_same_v<T, float>) {
-        if ((std::bit_cast<std::uint64_t>(value) & 0x1FFFFFFF) == 0x10000000) return false;
+        if ((bits & 0x1FFFFFFF) == 0x10000000) return false;
     }
-    out = static_cast<T>(negative ? -value : value);
+    bits |= std::uint64_t{negative} << 63;
+    out = static_cast<T>(std::bit_cast<double>(bits));
     return true;
 }
 
