@@ -69,10 +69,14 @@ int run_view(const Options& options) {
     std::signal(SIGPIPE, SIG_IGN);  // A browser that goes away is no reason to end.
     server::PageServer server({scene.path(), options.port, options.port_given});
     server.start();
-    const std::string name = std::filesystem::path(scene.path()).filename().string();
-    fmt::print("{} is shown at {}\nCtrl-C ends it.\n", name, server.address());
+    const std::filesystem::path path(scene.path());
+    const std::string name = path.filename().string();
+    // The page looks for scene.glb unless it is told otherwise.
+    const std::string query = path.extension() == ".gltf" ? "?scene=scene.gltf" : "";
+    const std::string address = server.address() + query;
+    fmt::print("{} is shown at {}\nCtrl-C ends it.\n", name, address);
     std::fflush(stdout);
-    if (options.open_browser) open_browser(server.address());
+    if (options.open_browser) open_browser(address);
     int signal = 0;
     sigwait(&ending, &signal);
     server.stop();

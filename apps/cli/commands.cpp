@@ -32,6 +32,12 @@ constexpr std::array kCommands{
         "SCENE | INPUT... --node ID | --point X,Y,Z | --ray OX,OY,OZ,DX,DY,DZ [--json]",
         Takes::Inputs | Takes::Model | Takes::Place | Takes::Json,
         run_probe},
+    Command{
+        "check",
+        "Verify a scene against its certificate",
+        "SCENE [--json]",
+        Takes::Inputs | Takes::Json,
+        run_check},
     Command{"formats", "List what can be read and written", "[--json]", Takes::Json, run_formats},
     Command{"doctor", "Say what works on this machine", "", Takes::Nothing, run_doctor},
 };
