@@ -10,6 +10,14 @@ export {
 } from "./choose";
 export { bandOf, colourMaps, colourOf, mapColour, paletteColour } from "./colour-map";
 export { automaticDeformationFactor, normalise } from "./normalise";
+export {
+  type Presentation,
+  PresentationError,
+  type PresentedEffect,
+  type PresentedResult,
+  parsePresentation,
+  type RangeMode,
+} from "./presentation";
 export { pulseOf, tickRateOf } from "./rates";
 export { equalLoudness, negativePartials, toneOf, tonePartials } from "./tone";
 export * from "./types";
