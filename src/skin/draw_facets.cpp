@@ -2,6 +2,7 @@
 #include "skin/draw_facets.hpp"
 
 #include "skin/edge_table.hpp"
+#include "skin/facet_grid.hpp"
 #include "skin/pattern.hpp"
 #include "skin/smooth_groups.hpp"
 
@@ -18,10 +19,21 @@ constexpr std::uint32_t kNoVertex = 0xFFFF'FFFF;
 /// Appends vertices; a place in the surface's arrays for everything that happens in order of facets.
 class Drawer {
 public:
-    Drawer(const Mesh& mesh, const FacetsToDraw& drawn, const SmoothGroups& groups, Surface& surface)
-        : mesh_(mesh), drawn_(drawn), groups_(groups), surface_(surface),
+    Drawer(
+        const Mesh& mesh,
+        const FacetsToDraw& drawn,
+        const SmoothGroups& groups,
+        unsigned pieces,
+        Surface& surface
+    )
+        : mesh_(mesh), drawn_(drawn), groups_(groups), surface_(surface), is_fine_(pieces > 2),
           vertex_of_group_(groups.normals.size(), kNoVertex),
-          vertex_of_point_(drawn.facets.size() * 8, kNoVertex) {}
+          vertex_of_point_(drawn.facets.size() * 8, kNoVertex) {
+        if (!is_fine_) return;
+        triangle_grid_ = grid_of(3, pieces);
+        quad_grid_ = grid_of(4, pieces);
+        first_between_.resize(drawn.facets.size());
+    }
 
     void draw(std::uint32_t facet) {
         const Outline& outline = drawn_.facets[facet];
@@ -32,12 +44,12 @@ public:
             vertices[k] = shared_vertex(facet, k, outline.corners[k], at[k]);
         if (outline.has_middles()) draw_middles(facet, at, vertices);
         if (outline.count == 4) draw_centre(facet, at, vertices);
-        for (const FacetTriangle& t : pattern_of(outline)) {
-            surface_.triangles.push_back(
-                {VertexIndex{vertices[t[0]]}, VertexIndex{vertices[t[1]]}, VertexIndex{vertices[t[2]]}}
-            );
-            surface_.triangle_element.push_back(drawn_.elements[facet]);
+        if (is_fine_ && outline.has_middles()) {
+            draw_finely(facet, at, vertices);
+            return;
         }
+        for (const FacetTriangle& t : pattern_of(outline))
+            add_triangle(facet, vertices[t[0]], vertices[t[1]], vertices[t[2]]);
     }
 
     /// Segments of a side, through its middle node if it has one.
@@ -49,6 +61,10 @@ public:
         };
         if (outline.middles[i] == kNoNode) {
             surface_.edges.push_back({vertex(i), vertex(outline.after(i))});
+            return;
+        }
+        if (is_fine_) {
+            draw_curved_side(side);
             return;
         }
         surface_.edges.push_back({vertex(i), vertex(kFirstMiddle + i)});
@@ -117,6 +133,59 @@ private:
         if (outline.centre == kNoNode) add_blend(vertices[kCentre], blend_of_centre(outline), vertices);
     }
 
+    const FacetGrid& grid(const Outline& outline) const {
+        return outline.count == 3 ? triangle_grid_ : quad_grid_;
+    }
+
+    void add_triangle(std::uint32_t facet, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        surface_.triangles.push_back({VertexIndex{a}, VertexIndex{b}, VertexIndex{c}});
+        surface_.triangle_element.push_back(drawn_.elements[facet]);
+    }
+
+    /// Vertices between the facet's points, in the order of its grid, then the triangles of the grid.
+    void draw_finely(
+        std::uint32_t facet, const FacetPlaces& at, const std::array<std::uint32_t, kFacetPoints>& vertices
+    ) {
+        const Outline& outline = drawn_.facets[facet];
+        first_between_[facet] = static_cast<std::uint32_t>(surface_.positions.size());
+        std::vector<std::uint32_t>& vertex_at = scratch_;
+        vertex_at.clear();
+        for (const FacetGrid::Point& point : grid(outline).points) {
+            if (point.point != FacetGrid::kNoPoint) {
+                vertex_at.push_back(vertices[point.point]);
+                continue;
+            }
+            const WeightedPoints blend = shape_weights(outline, point.u, point.v);
+            Point3 place{};
+            Point3 normal{};
+            for (std::size_t i = 0; i < blend.count; ++i) {
+                const auto& there = surface_.normals[vertices[blend.points[i]]];
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    place[axis] += blend.weights[i] * at[blend.points[i]][axis];
+                    normal[axis] += blend.weights[i] * static_cast<double>(there[axis]);
+                }
+            }
+            vertex_at.push_back(add_vertex(place, unit(normal), kNoNode, drawn_.elements[facet]));
+            add_blend(vertex_at.back(), blend, vertices);
+        }
+        for (const auto& [a, b, c] : grid(outline).triangles)
+            add_triangle(facet, vertex_at[a], vertex_at[b], vertex_at[c]);
+    }
+
+    void draw_curved_side(std::uint32_t side) {
+        const std::uint32_t facet = side / 4;
+        const FacetGrid& points = grid(drawn_.facets[facet]);
+        const auto vertex = [&](std::uint32_t i) {
+            const std::uint8_t point = points.points[i].point;
+            if (point != FacetGrid::kNoPoint)
+                return VertexIndex{vertex_of_point_[std::size_t{facet} * 8 + point]};
+            return VertexIndex{first_between_[facet] + points.rank[i]};
+        };
+        const std::vector<std::uint32_t>& along = points.sides[side % 4];
+        for (std::size_t k = 1; k < along.size(); ++k)
+            surface_.edges.push_back({vertex(along[k - 1]), vertex(along[k])});
+    }
+
     void add_blend(
         std::uint32_t vertex,
         const WeightedPoints& blend,
@@ -137,8 +206,12 @@ private:
     const FacetsToDraw& drawn_;
     const SmoothGroups& groups_;
     Surface& surface_;
+    bool is_fine_;
     std::vector<std::uint32_t> vertex_of_group_;
     std::vector<std::uint32_t> vertex_of_point_;
+    FacetGrid triangle_grid_, quad_grid_;
+    std::vector<std::uint32_t> first_between_;  ///< Per facet: its first vertex between points.
+    std::vector<std::uint32_t> scratch_;
     std::uint32_t first_of_element_ = 0;
 };
 
@@ -232,12 +305,12 @@ void measure(Surface& surface) {
 
 }  // namespace
 
-void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, double crease_angle, Surface& surface) {
+void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, const DrawOptions& options, Surface& surface) {
     const EdgeTable edges = find_edges(drawn.facets);
     const SmoothGroups groups =
-        find_smooth_groups(drawn.facets, drawn.piece_first, edges, mesh.coordinates, crease_angle);
+        find_smooth_groups(drawn.facets, drawn.piece_first, edges, mesh.coordinates, options.crease_angle);
     const std::vector<bool> draws = drawing_sides(drawn, edges);
-    Drawer drawer(mesh, drawn, groups, surface);
+    Drawer drawer(mesh, drawn, groups, options.pieces, surface);
     const auto size = [](const auto& values) { return static_cast<std::uint32_t>(values.size()); };
     for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {
         SurfacePart part;

@@ -24,7 +24,11 @@ struct FacetsToDraw {
     std::vector<ElementIndex> elements;  ///< Per facet; facets of an element are next to each other.
 };
 
+struct DrawOptions {
+    double crease_angle = 30;  ///< Degrees.
+    unsigned pieces = 2;       ///< Of each edge of a facet with middles: a power of two.
+};
 /// Appends everything to `surface`, and fills vertices, triangles, closed, area and volume of its report.
-void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, double crease_angle, Surface& surface);
+void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, const DrawOptions& options, Surface& surface);
 
 }  // namespace feelem

@@ -26,8 +26,8 @@ std::span<const std::uint8_t> pattern_along(const Outline& facet, std::size_t si
 
 /// A point as a weighted sum of the facet's nodes; weights are exact in binary.
 struct WeightedPoints {
-    std::array<std::uint8_t, 8> points{};
-    std::array<double, 8> weights{};
+    std::array<std::uint8_t, kFacetPoints> points{};
+    std::array<double, kFacetPoints> weights{};
     std::size_t count = 0;
 
     void add(std::size_t point, double weight) {

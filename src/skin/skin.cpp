@@ -19,6 +19,8 @@
 namespace feelem {
 namespace {
 
+constexpr unsigned kMostSubdivisions = 6;
+
 struct SolidFacets {
     std::vector<FacetRef> kept;
     std::vector<bool> set_aside;
@@ -192,6 +194,13 @@ void tell(const SkinReport& report, Diagnostics& diagnostics) {
 }  // namespace
 
 Surface make_skin(const Mesh& mesh, const SkinOptions& options, Diagnostics& diagnostics) {
+    if (options.subdivide > kMostSubdivisions) {
+        throw Error(
+            Code::BadOption,
+            "",
+            "an edge cannot be subdivided more than 6 times: into 64 pieces, 8192 triangles a facet"
+        );
+    }
     Surface surface;
     surface.domain = options.domain;
     SkinReport& report = surface.report;
@@ -203,7 +212,7 @@ Surface make_skin(const Mesh& mesh, const SkinOptions& options, Diagnostics& dia
     }();
     count_kinds(drawn, report);
     tell(report, diagnostics);
-    draw_facets(mesh, drawn, options.crease_angle, surface);
+    draw_facets(mesh, drawn, {options.crease_angle, 1U << std::max(options.subdivide, 1U)}, surface);
     add_glyphs(mesh, surface, diagnostics);
     if (surface.triangles.empty())
         throw Error(Code::NoElements, "", "no element has a surface that could be drawn");

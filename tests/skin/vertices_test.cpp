@@ -2,6 +2,7 @@
 // Vertices, normals, edges and centres of the skin, and the paper's node map.
 #include "support/meshes.hpp"
 
+#include "feelem/error.hpp"
 #include "feelem/skin.hpp"
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace feelem {
@@ -180,6 +182,76 @@ TEST(Centres, follow_the_shape_of_the_facet) {
     EXPECT_EQ(flat.report.triangles, 4U);
     EXPECT_EQ(flat.report.vertices, 4U);
     EXPECT_EQ(flat.positions[raw(flat.blends.at(0).vertex)], (Point3{1, 1, 0}));
+}
+
+SkinOptions cut(unsigned subdivide) {
+    SkinOptions options;
+    options.subdivide = subdivide;
+    return options;
+}
+
+TEST(Subdivide, cuts_each_edge_of_a_quadratic_facet_into_a_power_of_two) {
+    const auto triangles = [](ElementType type, unsigned subdivide) {
+        return skin_of(test::one_element(type), cut(subdivide)).report.triangles;
+    };
+    for (const ElementType type : {ElementType::Tri6, ElementType::Quad8, ElementType::Quad9}) {
+        const std::uint64_t coarse = triangles(type, 1);
+        EXPECT_EQ(triangles(type, 2), 4 * coarse);
+        EXPECT_EQ(triangles(type, 3), 16 * coarse);
+    }
+    EXPECT_EQ(triangles(ElementType::Quad4, 3), 4U);
+    EXPECT_EQ(skin_of(test::one_element(ElementType::Quad8), cut(3)).edges.size(), 4U * 8);
+    EXPECT_EQ(skin_of(test::one_element(ElementType::Tri6), cut(2)).report.vertices, 6U);
+}
+
+TEST(Subdivide, follows_the_shape_functions) {
+    // z = x² - y² + x y, which the 6- and 9-node functions hold exactly, and the 8-node ones too.
+    const auto height = [](double x, double y) { return x * x - y * y + x * y; };
+    for (const ElementType type : {ElementType::Tri6, ElementType::Quad8, ElementType::Quad9}) {
+        Mesh mesh = test::one_element(type);
+        for (Point3& at : mesh.coordinates) at[2] = height(at[0], at[1]);
+
+        const Surface surface = skin_of(mesh, cut(3));
+
+        EXPECT_GT(surface.blends.size(), 30U);
+        for (const Point3& at : surface.positions) EXPECT_NEAR(at[2], height(at[0], at[1]), 1e-15);
+        for (const Blend& blend : surface.blends) {
+            double sum = 0;
+            for (std::uint32_t i = blend.first; i < blend.first + blend.count; ++i) {
+                EXPECT_NE(surface.vertex_node[raw(surface.blend_sources[i])], kNoNode);
+                sum += surface.blend_weights[i];
+            }
+            EXPECT_EQ(sum, 1);
+        }
+        for (const auto& [a, b, c] : surface.triangles) {
+            const Point3 &p = surface.positions[raw(a)], &q = surface.positions[raw(b)],
+                         &r = surface.positions[raw(c)];
+            EXPECT_GT((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]), 0);
+        }
+        for (const auto& [a, b] : surface.edges) {
+            const Point3 &p = surface.positions[raw(a)], &q = surface.positions[raw(b)];
+            EXPECT_LE(std::hypot(p[0] - q[0], p[1] - q[1]), 0.125 * std::sqrt(2.0) + 1e-12);
+        }
+    }
+}
+
+TEST(Subdivide, neighbours_put_the_same_points_on_their_edge) {
+    const Surface surface = skin_of(curved_pipe(8), cut(3));
+    std::map<std::pair<Point3, Point3>, int> balance;
+    for (const auto& t : surface.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point3& a = surface.positions[raw(t[k])];
+            const Point3& b = surface.positions[raw(t[(k + 1) % 3])];
+            ++balance[{a, b}];
+            --balance[{b, a}];
+        }
+    }
+    // Only the two rims are open: 8 facets with 8 pieces each, both ways.
+    EXPECT_EQ(std::ranges::count_if(balance, [](const auto& side) { return side.second != 0; }), 2 * 2 * 64);
+}
+
+TEST(Subdivide, beyond_reason_is_refused) {
+    EXPECT_THROW(skin_of(test::one_element(ElementType::Tri6), cut(7)), Error);
 }
 
 TEST(ElementNode, no_vertex_is_shared_by_two_elements) {
