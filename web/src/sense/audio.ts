@@ -69,10 +69,17 @@ function glide(parameter: AudioParam, target: number, now: number, tau: number):
   parameter.setTargetAtTime(target, now, tau);
 }
 
-/** Fades to exactly nothing. */
-function fadeOut(parameter: AudioParam, at: number, tau: number): void {
+function jump(parameter: AudioParam, value: number, now: number): void {
+  parameter.cancelScheduledValues(now);
+  parameter.setValueAtTime(value, now);
+}
+
+/** Fades to exactly nothing; returns when that is. */
+function fadeOut(parameter: AudioParam, at: number, tau: number): number {
+  const end = at + 11 * tau;
   parameter.setTargetAtTime(0, at, tau);
-  parameter.setValueAtTime(0, at + 11 * tau);
+  parameter.setValueAtTime(0, end);
+  return end;
 }
 
 function wave(context: BaseAudioContext, partials: readonly number[]): PeriodicWave {
@@ -150,6 +157,8 @@ class Engine implements Sound {
   #master: number;
   #muted = false;
   #open = false;
+  /** From when on the gate is shut, unless it is opened before. */
+  #silentFrom = 0;
   #stillSince = Number.POSITIVE_INFINITY;
   #eventEnds = 0;
   #eventWeight = 0;
@@ -191,21 +200,17 @@ class Engine implements Sound {
     const { tones, loudness, gate } = this.#graph;
     const cents = 1200 * Math.log2(hz / baseHz);
     const { level, tau } = this.#presence(frame.still ?? false, now);
-    for (const tone of tones) {
-      if (this.#open) glide(tone.detune, cents, now, pitchTau);
-      else this.#jump(tone.detune, cents, now);
+    // A tone that starts anew starts at its pitch: nobody should hear where the last one ended.
+    const anew = now >= this.#silentFrom;
+    for (const { detune } of tones) {
+      if (anew) jump(detune, cents, now);
+      else glide(detune, cents, now, pitchTau);
     }
-    if (this.#open) glide(loudness.gain, gain * level, now, tau);
-    else this.#jump(loudness.gain, gain, now);
+    if (anew) jump(loudness.gain, gain, now);
+    else glide(loudness.gain, gain * level, now, tau);
     glide(gate.gain, 1, now, attackTau);
-    fadeOut(gate.gain, now + patience, releaseTau);
+    this.#silentFrom = fadeOut(gate.gain, now + patience, releaseTau);
     this.#open = true;
-  }
-
-  /** A tone that starts anew starts at its pitch: nobody should hear where the last one ended. */
-  #jump(parameter: AudioParam, value: number, now: number): void {
-    parameter.cancelScheduledValues(now);
-    parameter.setValueAtTime(value, now);
   }
 
   #presence(still: boolean, now: number): { level: number; tau: number } {
@@ -232,7 +237,7 @@ class Engine implements Sound {
 
   #close(now: number, tau: number): void {
     this.#graph.gate.gain.cancelScheduledValues(now);
-    fadeOut(this.#graph.gate.gain, now, tau);
+    this.#silentFrom = Math.min(this.#silentFrom, fadeOut(this.#graph.gate.gain, now, tau));
     this.#open = false;
     this.#stillSince = Number.POSITIVE_INFINITY;
   }

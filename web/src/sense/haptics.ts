@@ -84,6 +84,8 @@ class Pulser implements Haptics {
   #now = Number.NEGATIVE_INFINITY;
   #last = Number.NEGATIVE_INFINITY;
   #next = Number.NEGATIVE_INFINITY;
+  /** Before this nothing but the limit may speak: it would cut a pulse short or leave the hand no rest. */
+  #busyUntil = Number.NEGATIVE_INFINITY;
   #period = 0;
   #stillSince = Number.POSITIVE_INFINITY;
   #heldUntil = Number.NEGATIVE_INFINITY;
@@ -138,7 +140,7 @@ class Pulser implements Haptics {
       this.#next = this.#period === 0 ? now : Math.min(this.#next, this.#last + period);
       this.#period = period;
     }
-    if (now < this.#next || now - this.#last < shortestGap) return;
+    if (now < this.#next || now < this.#busyUntil) return;
     const longest = Math.min(longestPulse, 1000 * largestDuty * Math.max(period, shortestGap));
     this.#send(now, frame.amplitude * share, Math.min(frame.milliseconds ?? 35, longest), "beat");
     // Adding the period to the planned time, not to this frame's, keeps the rate right on average.
@@ -158,7 +160,7 @@ class Pulser implements Haptics {
     if (!event) return false;
     const isLimit = event.kind === "limitUp" || event.kind === "limitDown";
     if (Number.isNaN(event.start)) {
-      if (!isLimit && now - this.#last < shortestGap) return false;
+      if (!isLimit && now < this.#busyUntil) return false;
       event.start = now;
       if (isLimit) this.#heldUntil = now + limitHolds;
     }
@@ -176,6 +178,7 @@ class Pulser implements Haptics {
 
   #send(now: number, strength: number, milliseconds: number, cause: SentPulse["cause"]): void {
     this.#last = now;
+    this.#busyUntil = now + Math.max(shortestGap, milliseconds / 1000 / largestDuty);
     const felt = Math.min(strength * this.#strength, 1);
     if (!this.#actuator || !(felt > 0)) return;
     this.#actuator.pulse(felt, milliseconds);

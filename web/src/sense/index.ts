@@ -13,3 +13,4 @@ export {
   type SentPulse,
 } from "./haptics";
 export { stopWhenLeft } from "./leave";
+export { type LegendMoment, pitchLegend, pulseLegend, type SensedLegend, tickLegend } from "./legend";
