@@ -60,6 +60,7 @@ struct ComponentRange {
     std::int64_t min_id = 0, max_id = 0;
     std::int64_t min_element = 0, max_element = 0;  ///< Unaveraged results only, else 0.
     std::uint64_t missing = 0;                      ///< Nodes (elements) of the model without a value.
+    std::uint64_t zeros = 0;                        ///< Rows that are exactly zero.
 };
 struct ResultReport {
     ResultInfo info;  ///< As averaged by the job.

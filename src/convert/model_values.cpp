@@ -85,6 +85,7 @@ ComponentRange range_over_model(const Mesh& mesh, const Result& result, std::siz
         const float value = result.values[row * width + component];
         if (std::isnan(value)) continue;
         const bool first = range.valid++ == 0;
+        if (value == 0) ++range.zeros;
         if (first || value <= range.min) {
             const RowIds ids = ids_of_row(mesh, result, row);
             if (first || value < range.min || ids < min_ids) {

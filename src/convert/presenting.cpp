@@ -57,6 +57,7 @@ std::vector<Candidate> candidates(const SceneInMaking& scene, std::size_t step) 
         candidate.component = planned.components.front();
         candidate.unit = planned.scene.unit;
         candidate.has_sign = range.min < 0 && range.max > 0;
+        candidate.mostly_zero = 2 * range.zeros > range.valid;
         found.push_back(std::move(candidate));
     }
     return found;
@@ -97,6 +98,10 @@ void resolve_range(
     if (shown.range_mode == "manual") {  // One end is the user's.
         if (shown.lo) range[0] = *shown.lo;
         if (shown.hi) range[1] = *shown.hi;
+    }
+    if (shown.symmetric) {
+        range[1] = std::max(std::abs(range[0]), std::abs(range[1]));
+        range[0] = -range[1];
     }
     shown.lo = range[0];
     shown.hi = range[1];

@@ -71,6 +71,7 @@ void SceneValueStore::read_all(const Progress& progress) {
     for (const auto& [index, keys] : users) {
         report_progress(progress, "results", fraction_of(done++, users.size()));
         const Result result = load_prepared(source_, index, averaging_);
+        std::uint64_t filled = 0;  // The same vertices in each of its components.
         for (const Key& key : keys) {
             const PlannedResult& planned = plan_.results[key.first];
             // Usually the whole result: then it is not copied.
@@ -81,9 +82,10 @@ void SceneValueStore::read_all(const Progress& progress) {
                 ranges_[key].push_back(range_over_model(source_.mesh(), values, c));
             }
             SurfaceField field = carry(source_.mesh(), surface_, values);
-            interpolated_ += field.interpolated;
+            filled = std::max(filled, field.interpolated);
             keep(key, std::move(field));
         }
+        interpolated_ += filled;
     }
 }
 

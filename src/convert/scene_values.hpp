@@ -27,7 +27,7 @@ public:
     SurfaceField field(std::size_t result, std::size_t values);
     /// The same, given away: it is not asked for again.
     SurfaceField take_field(std::size_t result, std::size_t values);
-    /// Interpolated mid-side values over all fields read.
+    /// Mid-side vertices filled from their corners, over all results of the model that were read.
     std::uint64_t interpolated() const noexcept { return interpolated_; }
 
 private:

@@ -81,6 +81,34 @@ TEST(BoilerReport, elements_and_skin_are_counted) {
     EXPECT_TRUE(report.skin->closed);
 }
 
+TEST(BoilerReport, lists_and_frd_have_the_same_skin) {
+    const ModelReport frd = report_of(boiler_job({"static.frd"}));
+    const ModelReport lists = report_of(boiler_job(
+        {"NLIST_all.lis", "ELIST.lis", "ETLIST.lis", "PRNSOL_U.lis", "PRNSOL_TEMP.lis", "PRNSOL_S.lis"}
+    ));
+
+    EXPECT_EQ(lists.skin->solid_facets_in, 7608U);
+    EXPECT_EQ(lists.skin->solid_facets_kept, 2568U);
+    EXPECT_EQ(lists.skin->triangles, frd.skin->triangles);
+    EXPECT_EQ(lists.skin->vertices, frd.skin->vertices);
+    EXPECT_EQ(range_of(lists, "temperature", "value").min_id, 1231)
+        << "the smallest of those printed as 124.05";
+}
+
+TEST(BoilerReport, node_map_removes_nothing_from_a_thin_boiler) {
+    Job job = boiler_job({"NLIST_all.lis", "ELIST.lis", "ETLIST.lis"});
+    job.skin.method = SkinMethod::NodeList;
+    job.surface_nodes_file = boiler("NLIST_surface.lis");
+    EXPECT_EQ(report_of(job).skin->solid_facets_kept, 7608U);
+
+    for (std::string& input : job.inputs)
+        input = project_file("examples/boiler/small/" + input.substr(input.rfind('/') + 1));
+    job.surface_nodes_file = project_file("examples/boiler/small/NLIST_surface.lis");
+    EXPECT_EQ(report_of(job).skin->solid_facets_kept, 15152U);
+    job.skin.method = SkinMethod::Exact;
+    EXPECT_EQ(report_of(job).skin->solid_facets_kept, 2576U);
+}
+
 TEST(BoilerReport, a_result_that_two_inputs_repeat_is_listed_once) {
     const ModelReport report = report_of(boiler_job({"heat.frd", "static.frd"}));
 
@@ -177,6 +205,30 @@ TEST(BoilerScene, analyses_of_one_state_are_one_step) {
             "error"
         )
     );
+}
+
+TEST(BoilerScene, of_lists_shows_several_files_as_one_step_and_marks_mid_side_means) {
+    Job job;
+    job.length_unit = "mm";
+    for (const char* file : {"NLIST_all", "ELIST", "ETLIST", "PRNSOL_U", "PRNSOL_TEMP", "PRNSOL_S"}) {
+        job.inputs.push_back(project_file(std::string("examples/boiler/small/") + file + ".lis"));
+    }
+
+    const Scene scene = convert_and_load(job, "convert_lists");
+
+    ASSERT_EQ(scene.steps.size(), 1U);
+    std::size_t solver = 0, interpolated = 0;
+    for (const SceneField& field : scene.fields) {
+        if (scene.results[field.result].id != "stress_von_mises") continue;
+        const ScenePart& part = scene.parts[field.part];
+        for (std::size_t v = 0; v < field.validity.size(); ++v) {
+            if (part.node_ids[v] == 0) continue;
+            EXPECT_NE(field.validity[v], Validity::Missing);
+            (field.validity[v] == Validity::Solver ? solver : interpolated) += 1;
+        }
+    }
+    EXPECT_GT(solver, 1000U) << "corners";
+    EXPECT_GT(interpolated, 3000U) << "mid-side nodes, which PRNSOL,S does not list";
 }
 
 TEST(BoilerScene, states_that_differ_stay_separate_steps) {
