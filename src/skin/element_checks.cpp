@@ -25,8 +25,7 @@ Corners corner_set(const ElementBlock& block, const ElementRow& row, std::size_t
     const auto nodes = std::span(block.nodes).subspan(position * row.node_count, row.corner_count);
     std::ranges::copy(nodes, corners.begin());
     std::ranges::sort(corners);
-    const auto rest = std::ranges::unique(corners);
-    std::ranges::fill(rest, kNoNode);
+    std::fill(std::unique(corners.begin(), corners.end()), corners.end(), kNoNode);
     return corners;
 }
 
