@@ -122,6 +122,23 @@ TEST(OpenModel, text_and_binary_of_one_model_are_one_mesh) {
     EXPECT_EQ(open_model(paths, {}, diagnostics)->results().size(), 12U);
 }
 
+TEST(OpenModel, a_listing_of_results_finds_the_nodes_of_another_format) {
+    Diagnostics diagnostics;
+    const std::vector<std::string> paths{boiler("hex_linear/PRNSOL_TEMP.lis"), boiler("hex_linear/heat.frd")};
+    const auto model = open_model(paths, {}, diagnostics);
+    EXPECT_EQ(model->inputs()[0].format, "ansys-lists");
+    std::vector<Result> temperatures;
+    for (std::size_t i = 0; i < model->results().size(); ++i) {
+        if (model->results()[i].name == "temperature") temperatures.push_back(model->load(i));
+    }
+    ASSERT_EQ(temperatures.size(), 2U);
+    EXPECT_EQ(model->steps()[temperatures[0].info.step].input, 1U);
+    EXPECT_EQ(model->steps()[temperatures[1].info.step].input, 0U);
+    ASSERT_EQ(temperatures[0].row_count(), temperatures[1].row_count());
+    for (std::size_t i = 0; i < temperatures[0].values.size(); ++i)
+        ASSERT_NEAR(temperatures[0].values[i], temperatures[1].values[i], 1e-2);
+}
+
 TEST(OpenModel, a_folder_is_its_files_and_strangers_are_named) {
     const std::string folder = test::scratch_folder("open_model_folder");
     test::write_file(

@@ -126,7 +126,7 @@ private:
     /// Adds a line to the current run, or begins the next one.
     void extend(const Lines& lines) {
         List& list = file_.lists.back();
-        if (new_run_) list.runs.push_back({lines.begin(), lines.end()});
+        if (new_run_ || list.runs.empty()) list.runs.push_back({lines.begin(), lines.end()});
         list.runs.back().end = lines.end();
         new_run_ = false;
     }
