@@ -306,6 +306,7 @@ void measure(Surface& surface) {
 }  // namespace
 
 void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, const DrawOptions& options, Surface& surface) {
+    if (drawn.facets.size() >= kNoVertex / 8) throw Error(Code::TooLarge, "", "more than 536 870 911 facets");
     const EdgeTable edges = find_edges(drawn.facets);
     const SmoothGroups groups =
         find_smooth_groups(drawn.facets, drawn.piece_first, edges, mesh.coordinates, options.crease_angle);

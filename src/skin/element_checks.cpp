@@ -16,20 +16,7 @@ namespace {
 /// Below this part of its size cubed, an element counts as flat: the sign of its volume is rounding.
 constexpr double kFlat = 1e-12;
 
-using Corners = std::array<NodeIndex, 8>;
-
-/// Distinct corners in ascending order, then kNoNode.
-Corners corner_set(const ElementBlock& block, const ElementRow& row, std::size_t position) {
-    Corners corners;
-    corners.fill(kNoNode);
-    const auto nodes = std::span(block.nodes).subspan(position * row.node_count, row.corner_count);
-    std::ranges::copy(nodes, corners.begin());
-    std::ranges::sort(corners);
-    std::fill(std::unique(corners.begin(), corners.end()), corners.end(), kNoNode);
-    return corners;
-}
-
-std::uint64_t hash_of(const Corners& corners) {
+std::uint64_t hash_of(const CornerSet& corners) {
     using namespace facet_hash;
     std::uint64_t hash = kLast;
     for (std::size_t i = 0; i < corners.size(); i += 2)
@@ -44,6 +31,18 @@ double dot_cross(const Point3& a, const Point3& b, const Point3& c) {
 
 }  // namespace
 
+CornerSet corner_set(const ElementBlock& block, std::size_t position) {
+    const ElementRow& row = element_row(block.type);
+    CornerSet corners;
+    corners.fill(kNoNode);
+    std::ranges::copy(
+        std::span(block.nodes).subspan(position * row.node_count, row.corner_count), corners.begin()
+    );
+    std::ranges::sort(corners);
+    std::fill(std::unique(corners.begin(), corners.end()), corners.end(), kNoNode);
+    return corners;
+}
+
 std::vector<bool> find_duplicate_solids(const Mesh& mesh) {
     struct Entry {
         std::uint64_t hash;
@@ -56,16 +55,13 @@ std::vector<bool> find_duplicate_solids(const Mesh& mesh) {
     for (const ElementBlock& block : mesh.blocks) {
         const ElementRow& row = element_row(block.type);
         for (std::uint32_t i = 0; i < block.ids.size(); ++i, ++element) {
-            if (row.dimension == 3)
-                entries.push_back({hash_of(corner_set(block, row, i)), element, i, &block});
+            if (row.dimension == 3) entries.push_back({hash_of(corner_set(block, i)), element, i, &block});
         }
     }
     std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
         return std::pair(a.hash, a.element) < std::pair(b.hash, b.element);
     });
-    const auto corners = [](const Entry& entry) {
-        return corner_set(*entry.block, element_row(entry.block->type), entry.position);
-    };
+    const auto corners = [](const Entry& entry) { return corner_set(*entry.block, entry.position); };
     std::vector<bool> duplicate(element);
     for (std::size_t i = 1; i < entries.size(); ++i) {
         if (entries[i].hash == entries[i - 1].hash && corners(entries[i]) == corners(entries[i - 1]))

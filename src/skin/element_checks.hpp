@@ -6,10 +6,15 @@
 
 #include "feelem/mesh.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace feelem {
+
+/// Distinct corners of a solid in ascending order, then kNoNode.
+using CornerSet = std::array<NodeIndex, 8>;
+CornerSet corner_set(const ElementBlock& block, std::size_t position);
 
 /// One flag an element: a solid with the same corners as an earlier one.
 std::vector<bool> find_duplicate_solids(const Mesh& mesh);

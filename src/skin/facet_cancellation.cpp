@@ -163,6 +163,7 @@ std::vector<FacetCandidate> candidates_at(
 OuterFacets find_outer_facets(const Mesh& mesh, const std::vector<bool>& set_aside) {
     OuterFacets found;
     const std::vector<SolidBlock> blocks = solid_blocks(mesh);
+    if (blocks.empty()) return found;
     std::vector<FacetCandidate> candidates;
     {
         const NodeMarks marks = nodes_with_a_rest(mesh, blocks, set_aside, found);

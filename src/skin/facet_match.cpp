@@ -5,10 +5,12 @@
 // is taken by two triangles. Data: 12 bytes a candidate and the table.
 #include "skin/facet_match.hpp"
 
+#include "skin/element_checks.hpp"
 #include "skin/facet_hash.hpp"
 
 #include <algorithm>
 #include <bit>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -59,31 +61,33 @@ Groups group(std::span<const FacetCandidate> candidates) {
     return groups;
 }
 
-bool have_same_corners(const Mesh& mesh, FacetRef a, FacetRef b) {
-    const auto corners = [&](FacetRef ref) {
-        const auto nodes =
-            element_nodes(mesh, ref).first(element_row(mesh.blocks[ref.block].type).corner_count);
-        std::vector<NodeIndex> sorted(nodes.begin(), nodes.end());
-        std::ranges::sort(sorted);
-        sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-        return sorted;
+/// Whether two of the owners are different elements with the same corners.
+bool has_duplicates(const Mesh& mesh, std::span<const FacetRef> owners) {
+    struct Owner {
+        CornerSet corners;
+        FacetRef ref;
     };
-    return corners(a) == corners(b);
-}
-
-bool is_same_element(FacetRef a, FacetRef b) {
-    return a.block == b.block && a.position == b.position;
+    std::vector<Owner> sorted;
+    sorted.reserve(owners.size());
+    for (const FacetRef ref : owners)
+        sorted.push_back({corner_set(mesh.blocks[ref.block], ref.position), ref});
+    std::ranges::sort(sorted, [](const Owner& a, const Owner& b) {
+        return std::tie(a.corners, a.ref.block, a.ref.position) <
+               std::tie(b.corners, b.ref.block, b.ref.position);
+    });
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+        const Owner &a = sorted[i - 1], &b = sorted[i];
+        if (a.corners == b.corners && (a.ref.block != b.ref.block || a.ref.position != b.ref.position))
+            return true;
+    }
+    return false;
 }
 
 /// Owners that do not cancel. Returns whether they are kept.
 bool judge(const Mesh& mesh, std::span<const FacetRef> owners, OuterFacets& found) {
-    for (std::size_t i = 0; i < owners.size(); ++i) {
-        for (std::size_t k = i + 1; k < owners.size(); ++k) {
-            if (is_same_element(owners[i], owners[k]) || !have_same_corners(mesh, owners[i], owners[k]))
-                continue;
-            found.duplicates = true;
-            return false;
-        }
+    if (has_duplicates(mesh, owners)) {
+        found.duplicates = true;
+        return false;
     }
     if (owners.size() > 2) {
         found.many_owners += owners.size();

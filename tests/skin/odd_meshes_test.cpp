@@ -168,6 +168,19 @@ TEST(Duplicates, are_set_aside_and_leave_the_skin_as_it_is) {
     }
 }
 
+TEST(Duplicates, of_one_element_among_many_in_mirrored_order_are_set_aside) {
+    Mesh mesh = test::with_duplicates(test::brick_grid(2, 2, 2), 3, 4);
+    std::vector<NodeIndex>& nodes = mesh.blocks[0].nodes;
+    std::swap_ranges(nodes.end() - 8, nodes.end() - 4, nodes.end() - 4);
+
+    const Surface surface = skin_of(mesh).surface;
+
+    EXPECT_EQ(surface.report.duplicate_elements, 1U);
+    EXPECT_EQ(surface.report.solid_facets_kept, 24U);
+    EXPECT_EQ(surface.report.inverted_elements, 0U);
+    EXPECT_TRUE(surface.report.closed);
+}
+
 TEST(Duplicates, in_mirrored_order_do_not_swallow_the_element) {
     const Mesh mesh =
         test::tiny_mesh(kNodes, {{ElementType::Tet4, {1, 2, 4, 5}}, {ElementType::Tet4, {1, 4, 2, 5}}});
@@ -220,6 +233,26 @@ TEST(ManyOwners, a_facet_with_three_is_inner_and_reported) {
     EXPECT_EQ(skin.diagnostics.count(Code::FacetWithManyOwners), 3U);
     EXPECT_EQ(skin.surface.report.solid_facets_kept, 9U);
     EXPECT_EQ(skin.surface.report.facets_inner, 0U);
+    // One side of the three is left over.
+    EXPECT_FALSE(skin.surface.report.closed);
+}
+
+TEST(ManyOwners, a_hundred_thousand_elements_on_one_facet_do_not_take_for_ever) {
+    Mesh mesh =
+        test::tiny_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{ElementType::Tet4, {1, 2, 3, 4}}});
+    ElementBlock& block = mesh.blocks[0];
+    for (std::uint32_t i = 1; i < 100'000; ++i) {
+        mesh.node_ids.push_back(NodeId{4 + i});
+        mesh.coordinates.push_back({0, 0, 1.0 + i});
+        block.ids.push_back(ElementId{1 + i});
+        block.parts.push_back(PartIndex{0});
+        for (const std::uint32_t node : {0U, 1U, 2U, 3 + i}) block.nodes.push_back(NodeIndex{node});
+    }
+
+    const Surface surface = skin_of(mesh).surface;
+
+    EXPECT_EQ(surface.report.facets_many_owners, 100'000U);
+    EXPECT_EQ(surface.report.solid_facets_kept, 300'000U);
 }
 
 TEST(Unmatched, a_quad_facing_two_triangles_stays_with_them_and_is_reported) {

@@ -110,7 +110,9 @@ TEST(Creases, shells_that_wind_against_each_other_do_not_share_vertices) {
         {{ElementType::Quad4, {1, 2, 3, 4}}, {ElementType::Quad4, {2, 3, 6, 5}}}
     );
 
-    const Surface surface = skin_of(mesh);
+    SkinOptions options;
+    options.crease_angle = 180;
+    const Surface surface = skin_of(mesh, options);
 
     EXPECT_EQ(vertices_with_node(surface), 8U);
     EXPECT_EQ(surface.report.vertices, 6U);
