@@ -114,7 +114,7 @@ void add_tube(const Mesh& mesh, const Bare& beam, double radius, Surface& surfac
             add_vertex(surface, beam, beam.nodes[i], moved(centre, side, radius), side);
         }
         for (std::uint32_t k = 0; i > 0 && k < kSides; ++k) {
-            const std::uint32_t next = (k + 1) % kSides;
+            const auto next = static_cast<std::uint32_t>((k + 1) % kSides);
             add_triangle(surface, beam, before + k, before + next, ring + next);
             add_triangle(surface, beam, before + k, ring + next, ring + k);
         }

@@ -30,16 +30,18 @@ struct Numbers {
 
 /// The whole numbers of a line from a column on. False when something else stands between them.
 bool read_numbers(std::string_view line, std::size_t first, Numbers& numbers) {
-    numbers.count = 0;
+    std::size_t count = 0;
     Cursor cursor(line);
     cursor.at += std::min(first, line.size());
     while (!cursor.at_end()) {
         if (*cursor.at == '-') ++cursor.at;  // ESY and REL may be negative; they are not used.
-        if (numbers.count == numbers.values.size() || !scan_unsigned(cursor, numbers.values[numbers.count]))
-            return false;
+        std::int64_t value = 0;
+        if (count == numbers.values.size() || !scan_unsigned(cursor, value)) return false;
         if (cursor.at != cursor.end && !is_gap(*cursor.at)) return false;
-        numbers.ends[numbers.count++] = static_cast<std::size_t>(cursor.at - line.data());
+        numbers.values[count] = value;
+        numbers.ends[count++] = static_cast<std::size_t>(cursor.at - line.data());
     }
+    numbers.count = count;
     return true;
 }
 
@@ -130,6 +132,11 @@ std::size_t indent_of(std::string_view line) {
     return std::min(line.find_first_not_of(' '), line.size());
 }
 
+/// Without blanks at its end.
+std::size_t length_of(std::string_view line) {
+    return trim(line).size() + indent_of(line);
+}
+
 [[noreturn]] void throw_bad_element(const ListFile& file, std::size_t offset, std::string_view line) {
     constexpr std::size_t kShown = 60;
     throw Error(
@@ -167,7 +174,7 @@ void for_each_element(
     ElementRowIds row;
     std::size_t line_of_element = 0;                  // 0: none is open.
     std::map<std::int64_t, std::size_t> usual_count;  // By type.
-    std::array<std::size_t, kMostIds> usual_length{};
+    std::array<std::string_view, kMostIds> usual_lines{};
     const auto close = [&](bool last) {
         if (line_of_element == 0) return;
         line_of_element = 0;
@@ -191,14 +198,13 @@ void for_each_element(
             const std::string_view line = lines.line();
             if (!is_digit(first_mark(line))) continue;
             const bool further = line_of_element > 0 && indent_of(line) >= kContinuationIndent;
-            const std::size_t length = trim(line).size() + indent_of(line);
-            std::size_t& usual = usual_length[further ? std::min(line_of_element, kMostIds - 1) : 0];
-            if (!lines.ended() && length < usual) {
+            std::string_view& usual = usual_lines[further ? std::min(line_of_element, kMostIds - 1) : 0];
+            if (!lines.ended() && length_of(line) < length_of(usual)) {
                 if (further) line_of_element = 0;  // A cut further line spoils its element.
                 report_cut(file, lines.begin(), diagnostics);
                 continue;
             }
-            usual = length;
+            usual = line;
             if (!further) close(false);
             if (further ? !parser.go_on(line) : !parser.begin(line))
                 throw_bad_element(file, lines.begin(), line);

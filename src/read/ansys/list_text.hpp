@@ -90,10 +90,11 @@ inline char first_mark(std::string_view line) {
 inline bool scan_unsigned(Cursor& cursor, std::int64_t& value) {
     cursor.skip_gaps();
     const char* at = cursor.at;
-    std::int64_t number = 0;
-    while (at != cursor.end && is_digit(*at) && at - cursor.at < 18) number = number * 10 + (*at++ - '0');
-    if (at == cursor.at || (at != cursor.end && is_digit(*at))) return false;
-    value = number;
+    std::uint64_t number = 0;  // Wraps on endless digits, which are refused below.
+    while (at != cursor.end && is_digit(*at)) number = number * 10 + static_cast<std::uint64_t>(*at++ - '0');
+    const auto digits = at - cursor.at;
+    if (digits == 0 || digits > 18) return false;
+    value = static_cast<std::int64_t>(number);
     cursor.at = at;
     return true;
 }
