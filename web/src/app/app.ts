@@ -110,7 +110,11 @@ export class App implements ApiSource {
     const current = this.probing.current();
     const report = this.probing.report();
     if (!current || !report) return null;
-    const options = { pinned: current.name === PIN, sounding: current.held };
+    const options = {
+      pinned: current.name === PIN,
+      sounding: current.held,
+      vibrates: current.actuator !== null,
+    };
     return cardModel(this.view, this.store.state.doc, report, options);
   }
 
@@ -136,7 +140,7 @@ export class App implements ApiSource {
   }
 
   fit(): void {
-    this.stage.orbit.fit(this.view.model.sphere());
+    this.stage.orbit.fit(this.view.model.bounds());
   }
 
   lookFrom(name: ViewName): void {
@@ -347,6 +351,7 @@ export class App implements ApiSource {
           detail,
           ...at,
           hidden: !this.#inSight(place),
+          flipped: at.x > stage.canvas.clientWidth - 190,
           click: () => this.pin(place),
         });
       }
@@ -358,6 +363,7 @@ export class App implements ApiSource {
         detail: "",
         ...reticle,
         hidden: false,
+        flipped: false,
         click: null,
       });
     return markers;

@@ -27,7 +27,7 @@ export function cardModel(
   view: ModelView,
   doc: PresentationDoc,
   report: ProbeReport,
-  options: { pinned: boolean; sounding: boolean },
+  options: { pinned: boolean; sounding: boolean; vibrates: boolean },
 ): CardModel {
   const rows = report.results.flatMap((entry): CardRow[] => {
     const shown = view.shown.find((s) => s.key === entry.key);
@@ -47,7 +47,7 @@ export function cardModel(
   const heard = [
     report.hz > 0 ? `tone ${numberText(report.hz, 4)} Hz` : "",
     report.tickRate > 0 ? `${numberText(report.tickRate, 3)} ticks/s` : "",
-    report.pulse.rate > 0 ? `${numberText(report.pulse.rate, 3)} pulses/s` : "",
+    options.vibrates && report.pulse.rate > 0 ? `${numberText(report.pulse.rate, 3)} pulses/s` : "",
   ].filter((text) => text !== "");
   return {
     report,

@@ -31,11 +31,14 @@ export function firstState(scene: SceneData): ViewState {
       s.number?.[0] === wanted.step &&
       s.number?.[1] === (wanted.substep ?? 1),
   );
+  // The step whose results stand in the scene's attributes is the one it wants shown first.
+  const coloured = (extras.texcoords as { step?: number }[] | undefined)?.[0]?.step;
+  const firstStep = coloured ?? extras.deformation?.step ?? extras.steps[0]?.id ?? 0;
   const deformation = doc.deformation as { factor?: number | null } | null | undefined;
   const typed = typeof deformation?.factor === "number" ? deformation.factor : null;
   return {
     doc,
-    step: shown?.id ?? extras.deformation?.step ?? extras.steps.at(-1)?.id ?? 0,
+    step: shown?.id ?? firstStep,
     deformMode: typed === null ? "auto" : typed === 1 ? "true" : "factor",
     typedFactor: typed ?? 1,
     playing: false,

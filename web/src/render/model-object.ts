@@ -109,9 +109,12 @@ export class ModelObject {
   }
 
   /** Bounds in the space the group stands in (metres). */
+  bounds(): Box3 {
+    return this.box.clone().applyMatrix4(this.group.matrix);
+  }
+
   sphere(): Sphere {
-    const box = this.box.clone().applyMatrix4(this.group.matrix);
-    return box.getBoundingSphere(new Sphere());
+    return this.bounds().getBoundingSphere(new Sphere());
   }
 
   setColour(effect: ColourEffect | null, range: ValueRange | null): void {

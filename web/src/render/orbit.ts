@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A turntable camera: turn about the world's up axis, zoom to a point, pan in the screen's plane. No DOM.
-import { Euler, type PerspectiveCamera, type Sphere, Vector3 } from "three";
+import { type Box3, Euler, type PerspectiveCamera, Quaternion, Vector3 } from "three";
 
 const HALF_TURN = Math.PI / 2;
+/** Room left round the model. */
+const MARGIN = 1.12;
 const scratch = new Vector3();
+const scratchTurn = new Quaternion();
 const scratchEuler = new Euler(0, 0, 0, "YXZ");
 
 export class Orbit {
@@ -14,6 +17,8 @@ export class Orbit {
   readonly #camera: PerspectiveCamera;
   #radius = 1;
   #changed: () => void;
+  /** What was fitted last, while nobody has moved the camera since. */
+  #fitted: Box3 | null = null;
 
   constructor(camera: PerspectiveCamera, changed: () => void) {
     this.#camera = camera;
@@ -26,12 +31,14 @@ export class Orbit {
   }
 
   turn(radiansX: number, radiansY: number): void {
+    this.#fitted = null;
     this.yaw -= radiansX;
     this.pitch = Math.min(Math.max(this.pitch + radiansY, -HALF_TURN), HALF_TURN);
     this.apply();
   }
 
   pan(pixelsX: number, pixelsY: number, height: number): void {
+    this.#fitted = null;
     const size = this.pixelSize(height);
     scratch.setFromMatrixColumn(this.#camera.matrix, 0);
     this.target.addScaledVector(scratch, -pixelsX * size);
@@ -42,6 +49,7 @@ export class Orbit {
 
   /** `at` keeps its place on the screen; null: the target does. */
   zoom(scale: number, at: Vector3 | null): void {
+    this.#fitted = null;
     const next = Math.min(Math.max(this.distance * scale, this.#radius * 0.01), this.#radius * 60);
     const share = next / this.distance;
     if (at) this.target.sub(at).multiplyScalar(share).add(at);
@@ -49,14 +57,33 @@ export class Orbit {
     this.apply();
   }
 
-  /** The whole sphere fills the view; the direction stays. */
-  fit(sphere: Sphere): void {
-    this.#radius = Math.max(sphere.radius, 1e-9);
-    this.target.copy(sphere.center);
-    const vertical = (this.#camera.fov * Math.PI) / 360;
-    const horizontal = Math.atan(Math.tan(vertical) * this.#camera.aspect);
-    this.distance = (this.#radius * 0.98) / Math.sin(Math.min(vertical, horizontal));
+  /** The whole box (world metres) fills the view; the direction stays. */
+  fit(box: Box3): void {
+    this.#fitted = box;
+    this.#radius = Math.max(box.getSize(scratch).length() / 2, 1e-9);
+    box.getCenter(this.target);
     this.apply();
+    const vertical = Math.tan((this.#camera.fov * Math.PI) / 360);
+    const horizontal = vertical * this.#camera.aspect;
+    let distance = this.#radius * 0.1;
+    for (let corner = 0; corner < 8; ++corner) {
+      scratch.set(
+        corner & 1 ? box.max.x : box.min.x,
+        corner & 2 ? box.max.y : box.min.y,
+        corner & 4 ? box.max.z : box.min.z,
+      );
+      scratch.sub(this.target).applyQuaternion(scratchTurn.copy(this.#camera.quaternion).invert());
+      const reach = Math.max(Math.abs(scratch.x) / horizontal, Math.abs(scratch.y) / vertical) * MARGIN;
+      distance = Math.max(distance, reach + scratch.z);
+    }
+    this.distance = distance;
+    this.apply();
+  }
+
+  /** The window has another shape: what filled it fills it again. */
+  reshaped(): void {
+    if (this.#fitted) this.fit(this.#fitted);
+    else this.apply();
   }
 
   /** Looks at the model from this direction (world axes, need not be of unit length). */

@@ -68,7 +68,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(clientWidth, clientHeight);
     this.camera.aspect = clientWidth / clientHeight;
-    this.orbit.apply();
+    this.orbit.reshaped();
   }
 
   #frame(seconds: number, frame: XRFrame | undefined): void {

@@ -10,12 +10,16 @@ export interface Marker {
   readonly y: number;
   /** Behind the model as it is drawn: shown weaker. */
   readonly hidden: boolean;
+  /** The label stands to the left: there is no room on the right. */
+  readonly flipped: boolean;
   readonly click: (() => void) | null;
 }
 
 export function markersTemplate(markers: readonly Marker[]): TemplateResult {
   return html`${markers.map(
-    (m) => html`<div class="marker marker-${m.kind} ${m.hidden ? "hidden-behind" : ""}"
+    (
+      m,
+    ) => html`<div class="marker marker-${m.kind} ${m.hidden ? "hidden-behind" : ""} ${m.flipped ? "flipped" : ""}"
       .style=${`transform: translate(${m.x.toFixed(1)}px, ${m.y.toFixed(1)}px)`}>
       <i></i>${
         m.text === ""

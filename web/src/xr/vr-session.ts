@@ -19,6 +19,9 @@ import { CARD_SIZE, LEGEND_SIZE, paintVrCard, paintVrLegend } from "./vr-legend"
 import { PANEL_HEIGHT, PANEL_WIDTH, paintPanel } from "./vr-panel";
 import { type VrPointer, VrPointers } from "./vr-pointers";
 
+/** Metres. */
+const NEAR = 0.05;
+const FAR = 200;
 const ROOM_COLOUR = new Color(0x20282d);
 /** What one pixel of a headset covers, radians (20 to 25 pixels a degree). */
 const PIXEL_ANGLE = 0.0008;
@@ -80,6 +83,9 @@ export class VrSession {
     session.addEventListener("visibilitychange", () => {
       if (session.visibilityState !== "visible") this.#grab.letGoOfAll();
     });
+    // The desk's camera keeps its distance from the model; here hands come close.
+    stage.camera.near = NEAR;
+    stage.camera.far = FAR;
     stage.renderer.xr.setFoveation(0.3);
     stage.renderer.setClearColor(ROOM_COLOUR);
   }

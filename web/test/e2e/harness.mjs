@@ -58,7 +58,7 @@ export async function launch() {
 export async function openPage(
   browser,
   url,
-  { width = 900, height = 620, headset = false, dark = false, query = "" } = {},
+  { width = 900, height = 620, headset = false, dark = false, smooth = false } = {},
 ) {
   const context = await browser.newContext({
     viewport: { width, height },
@@ -83,7 +83,7 @@ export async function openPage(
   page.on("console", (message) => {
     if (message.type() === "error") problems.push(message.text());
   });
-  await page.goto(`${url}?antialias=0${query}`);
+  await page.goto(smooth ? url : `${url}?antialias=0`);
   await page.evaluate(() => window.feelem.ready);
   return { page, context, foreign, problems };
 }

@@ -7,6 +7,7 @@ import { tinyScene } from "../support/tiny-scene.ts";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { readScene } from "./oracle.mjs";
+import { programTests } from "./program.mjs";
 import { serve } from "./server.mjs";
 import { vrTests } from "./vr.mjs";
 
@@ -22,8 +23,14 @@ const browser = await launch();
 const given = { browser, url: server.url, scene: readScene(glb) };
 let passed = 0;
 let failed = 0;
-for (const { name, run } of [...deskTests, ...vrTests]) {
+let skipped = 0;
+for (const { name, run, skip } of [...deskTests, ...vrTests, ...programTests]) {
   if (!name.includes(wanted)) continue;
+  if (skip) {
+    skipped += 1;
+    console.log(`skip  ${name}: ${skip}`);
+    continue;
+  }
   const start = Date.now();
   try {
     await run(given);
@@ -36,5 +43,5 @@ for (const { name, run } of [...deskTests, ...vrTests]) {
 }
 await browser.close();
 await server.close();
-console.log(`${passed} passed, ${failed} failed`);
+console.log(`${passed} passed, ${failed} failed${skipped ? `, ${skipped} skipped` : ""}`);
 process.exitCode = failed > 0 || passed === 0 ? 1 : 0;

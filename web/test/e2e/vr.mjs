@@ -324,6 +324,8 @@ export const vrTests = [
         for (let i = 0; i < left.length; i += 4) if (Math.abs(left[i] - right[i]) > 12) count += 1;
         return count / (left.length / 4);
       }, png);
+      const near = await page.evaluate(() => window.xrSession.renderState.depthNear);
+      assert.ok(near <= 0.06, `hands vanish nearer than ${near} m`);
       assert.ok(differing > 0.01 && differing < 0.6, `share of pixels that differ: ${differing}`);
       await context.close();
     },

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Takes the pictures of docs/pictures from a scene: `node test/e2e/pictures.mjs SCENE.glb [FOLDER]`.
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { launch, openPage, until } from "./harness.mjs";
+import { serve } from "./server.mjs";
+
+const [scene, folder = fileURLToPath(new URL("../../../docs/pictures/", import.meta.url))] =
+  process.argv.slice(2);
+const server = await serve(new Map([["scene.glb", readFileSync(scene)]]));
+const browser = await launch();
+
+async function desk(name, { width, height, dark = false, at, before = async () => {}, held = false }) {
+  const { page, context } = await openPage(browser, server.url, { width, height, dark, smooth: true });
+  await before(page);
+  const box = await page.locator(".area-stage canvas").boundingBox();
+  await page.mouse.move(box.x + box.width * at[0], box.y + box.height * at[1]);
+  if (held) await page.mouse.down();
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: join(folder, name) });
+  await context.close();
+}
+
+/** Turns the camera: a drag that begins beside the model. */
+async function drag(page, dx, dy) {
+  const box = await page.locator(".area-stage canvas").boundingBox();
+  await page.mouse.move(box.x + 40, box.y + 40);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 40 + dx, box.y + 40 + dy, { steps: 4 });
+  await page.mouse.up();
+  await page.keyboard.press("f");
+}
+
+async function headset(name) {
+  const { page, context } = await openPage(browser, server.url, {
+    width: 1600,
+    height: 800,
+    headset: true,
+    smooth: true,
+  });
+  const stage = await page.locator(".area-stage canvas").boundingBox();
+  await page.evaluate(() => {
+    window.headset.fovy = 1.45;
+    document.querySelector("button.vr").click();
+  });
+  await until(
+    page,
+    () => window.feelem.state().session,
+    (s) => s === "immersive-vr",
+    "the session",
+  );
+  await page.waitForTimeout(1500);
+  const grip = (turned, squeezed) =>
+    page.evaluate(
+      ([turned, squeezed]) => {
+        const { left } = window.headset.controllers;
+        left.position.set(0, 1, -1.2);
+        left.quaternion.set(0, Math.sin(turned / 2), 0, Math.cos(turned / 2));
+        left.updateButtonValue("squeeze", squeezed);
+      },
+      [turned, squeezed],
+    );
+  for (const [turned, squeezed] of [
+    [0, 0],
+    [0, 1],
+    [-0.7, 1],
+    [-0.7, 0],
+  ]) {
+    await grip(turned, squeezed);
+    await page.waitForTimeout(900);
+  }
+  await page.evaluate(() => {
+    const { headset } = window;
+    const turn = (x, y) => [
+      Math.sin(x / 2) * Math.cos(y / 2),
+      Math.cos(x / 2) * Math.sin(y / 2),
+      0,
+      Math.cos(x / 2) * Math.cos(y / 2),
+    ];
+    headset.quaternion.set(...turn(-0.4, 0));
+    const { right, left } = headset.controllers;
+    right.position.set(0.3, 1.2, -0.42);
+    right.quaternion.set(...turn(-0.24, 0.24));
+    left.position.set(-0.22, 1.02, -0.5);
+    left.quaternion.set(...turn(-0.1, 0.75));
+  });
+  // A press counts from the moment the controller is known.
+  await until(
+    page,
+    () => window.feelem.lastProbe()?.pointer,
+    (p) => p === "right-controller",
+    "the ray on the model",
+  );
+  await page.evaluate(() => window.headset.controllers.right.updateButtonValue("trigger", 1));
+  await page.waitForTimeout(6000);
+  // The emulator shows the canvas, as large as it was on the page, in the middle of the window.
+  const clip = {
+    x: (1600 - stage.width) / 2,
+    y: (800 - stage.height) / 2,
+    width: stage.width,
+    height: stage.height,
+  };
+  await page.screenshot({ path: join(folder, name), clip });
+  await context.close();
+}
+
+const wanted = process.argv[4] ?? "";
+const shots = {
+  "desk.png": (name) =>
+    desk(name, {
+      width: 1440,
+      height: 900,
+      at: [0.335, 0.6],
+      held: true,
+      before: async (page) => {
+        await drag(page, -95, 10);
+        await page.keyboard.press("l");
+      },
+    }),
+  "desk-dark.png": (name) =>
+    desk(name, {
+      width: 1440,
+      height: 900,
+      dark: true,
+      at: [0.7, 0.36],
+      before: async (page) => {
+        await page.click("tbody tr:nth-child(3) button[data-slot='colour']");
+        await page.click("tbody tr:nth-child(1) button[data-slot='pulses']");
+        await page.keyboard.press("l");
+      },
+    }),
+  "desk-narrow.png": (name) => desk(name, { width: 420, height: 860, at: [0.5, 0.45] }),
+  "headset.png": headset,
+};
+for (const [name, take] of Object.entries(shots)) if (name.includes(wanted)) await take(name);
+await browser.close();
+await server.close();
