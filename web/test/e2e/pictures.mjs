@@ -111,10 +111,10 @@ const shots = {
     desk(name, {
       width: 1440,
       height: 900,
-      at: [0.335, 0.6],
+      at: [0.72, 0.6],
       held: true,
       before: async (page) => {
-        await drag(page, -95, 10);
+        await drag(page, -42, -14);
         await page.keyboard.press("l");
       },
     }),
