@@ -19,9 +19,13 @@ export interface Hit extends Place {
 interface Target {
   readonly part: ScenePart;
   readonly geometry: BufferGeometry;
-  readonly positions: Float32Array;
   tree: MeshBVH | null;
   stale: boolean;
+}
+
+/** The drawn positions; a worker that builds a hierarchy puts another array in their place. */
+function positionsOf(target: Target): Float32Array {
+  return target.geometry.getAttribute("position").array as Float32Array;
 }
 
 const scratchInverse = new Matrix4();
@@ -37,11 +41,10 @@ export class Picker {
 
   constructor(parts: readonly ScenePart[]) {
     this.#targets = parts.map((part) => {
-      const positions = part.positions.slice();
       const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new BufferAttribute(positions, 3));
+      geometry.setAttribute("position", new BufferAttribute(part.positions.slice(), 3));
       geometry.setIndex(new BufferAttribute(part.indices.slice(), 1));
-      return { part, geometry, positions, tree: null, stale: false };
+      return { part, geometry, tree: null, stale: false };
     });
   }
 
@@ -67,7 +70,8 @@ export class Picker {
 
   #refresh(index: number, target: Target): void {
     target.stale = false;
-    const { positions, part } = target;
+    const { part } = target;
+    const positions = positionsOf(target);
     const displacement = this.#displacements[index];
     for (let i = 0; i < positions.length; ++i) {
       const moved = displacement ? (displacement[i] ?? 0) * this.#factor : 0;
@@ -90,12 +94,13 @@ export class Picker {
       const point = hit.point.clone().applyMatrix4(world);
       const distance = point.distanceTo(ray.origin);
       if (best && best.distance <= distance) continue;
+      const positions = positionsOf(target);
       const [a, b, c] = cornersOf(target.part, hit.faceIndex);
       const weights = barycentric(
         hit.point.toArray(),
-        scratchA.fromArray(target.positions, 3 * a).toArray(),
-        scratchB.fromArray(target.positions, 3 * b).toArray(),
-        scratchC.fromArray(target.positions, 3 * c).toArray(),
+        scratchA.fromArray(positions, 3 * a).toArray(),
+        scratchB.fromArray(positions, 3 * b).toArray(),
+        scratchC.fromArray(positions, 3 * c).toArray(),
       );
       best = { part: index, triangle: hit.faceIndex, weights, distance, world: point };
     }
@@ -109,7 +114,7 @@ export class Picker {
     if (!target) return point;
     if (target.stale) this.#refresh(place.part, target);
     for (const [k, vertex] of cornersOf(target.part, place.triangle).entries()) {
-      point.addScaledVector(scratchA.fromArray(target.positions, 3 * vertex), place.weights[k] ?? 0);
+      point.addScaledVector(scratchA.fromArray(positionsOf(target), 3 * vertex), place.weights[k] ?? 0);
     }
     return point.applyMatrix4(world);
   }

@@ -2,7 +2,7 @@
 // The page at a desk: values, colours, legend, steps, keys, sound without pulses.
 import assert from "node:assert/strict";
 import { listen, openPage, pixelOf, until } from "./harness.mjs";
-import { resultIdOf, valueAtNode, valueAtPoint } from "./oracle.mjs";
+import { readScene, resultIdOf, valueAtNode, valueAtPoint } from "./oracle.mjs";
 
 const probe = () => window.feelem.lastProbe();
 const nearly = (a, b, slack) => assert.ok(Math.abs(a - b) <= slack, `${a} is not within ${slack} of ${b}`);
@@ -242,6 +242,97 @@ export const deskTests = [
       await page.waitForTimeout(300);
       assert.deepEqual(foreign, []);
       assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+  {
+    name: "large_model_is_pointed_at_through_a_worker_and_deforms",
+    async run({ browser, serveTiny }) {
+      const { url, bytes, close } = await serveTiny({ cells: [115, 115, 32] });
+      const scene = readScene(bytes);
+      assert.ok(scene.parts[0].elements.length > 150_000);
+      const { page, context, foreign, problems } = await openPage(browser, url, { width: 320, height: 240 });
+      await page.setViewportSize({ width: 900, height: 620 });
+      await page.click(".segments button:has-text('true scale')");
+      for (const { report } of await sweep(page, 3)) {
+        const [entry] = report.results;
+        const wanted = valueAtPoint(scene, resultIdOf(scene, entry), 1, report.elementId, report.point);
+        nearly(entry.value, wanted.value, 1e-4 * Math.abs(wanted.value));
+      }
+      assert.deepEqual([foreign, problems], [[], []]);
+      await context.close();
+      await close();
+    },
+  },
+  {
+    name: "steps_come_from_side_files_and_a_lost_one_is_said",
+    async run({ browser, serveTiny }) {
+      const { url, bytes, files, close } = await serveTiny({ sideFiles: true });
+      const { page, context } = await openPage(browser, url);
+      const id = readScene(bytes).parts[0].nodeIds.find((n) => n > 0);
+      await page.fill(".goto input", String(id));
+      await page.keyboard.press("Enter");
+      const first = await until(page, probe, (r) => r?.nodeId === id, "the node");
+      files.delete("tiny.d/stress_von_mises.2.bin");
+      await page.locator(".stepbar").getByLabel("next step").click();
+      const read = (r) => r?.results.find((e) => e.key === "T").value;
+      await until(
+        page,
+        probe,
+        (r) => read(r) === Math.fround(read(first) + 30),
+        "the next step's temperature",
+      );
+      const said = await until(
+        page,
+        () => document.querySelector(".banner")?.textContent ?? "",
+        (t) => t !== "",
+        "a word",
+      );
+      assert.ok(said.includes("tiny.d/stress_von_mises.2.bin"), said);
+      const lost = await page.evaluate(probe);
+      assert.equal(lost.results.find((e) => e.key === "S").state, "missing");
+      assert.equal((await page.evaluate(() => window.feelem.state())).step, 2);
+      await context.close();
+      await close();
+    },
+  },
+  {
+    name: "missing_value_is_said_drawn_grey_and_silent",
+    async run({ browser, url, scene }) {
+      const { page, context } = await openPage(browser, url);
+      await page.click("tr[data-key='S'] button[data-slot='colour']");
+      await page.click("tr[data-key='S'] button[data-slot='pitch']");
+      const { positions, nodeIds } = scene.parts[0];
+      const id = nodeIds.find((n, i) => n > 0 && positions[3 * i] === 120 && positions[3 * i + 2] === 30);
+      await page.fill(".goto input", String(id));
+      await page.keyboard.press("Enter");
+      const report = await until(page, probe, (r) => r?.nodeId === id, `node ${id}`);
+      const entry = report.results.find((e) => e.key === "S");
+      assert.deepEqual([entry.value, entry.nodeValue, entry.state], [null, null, "missing"]);
+      assert.deepEqual([report.colour, report.hz, report.gain], ["#808080", 0, 0]);
+      assert.ok((await page.locator(".card").textContent()).includes("no value"));
+      await context.close();
+    },
+  },
+  {
+    name: "mode_swings_while_played_and_comes_to_rest",
+    async run({ browser, url }) {
+      const { page, context } = await openPage(browser, url);
+      await page.locator(".stepbar").getByLabel("next step").click();
+      await page.waitForTimeout(300);
+      await page.locator(".area-stage canvas").focus();
+      await page.mouse.move(5, 5);
+      await page.waitForTimeout(300);
+      const still = (await page.screenshot()).toString("base64");
+      await page.locator(".stepbar").getByLabel("play").click();
+      await page.waitForTimeout(1200);
+      assert.notEqual((await page.screenshot()).toString("base64"), still, "the model moves");
+      assert.equal((await page.evaluate(() => window.feelem.state())).step, 2);
+      await page.locator(".stepbar").getByLabel("pause").click();
+      await page.locator(".area-stage canvas").focus();
+      await page.mouse.move(5, 5);
+      await page.waitForTimeout(600);
+      assert.equal((await page.screenshot()).toString("base64"), still, "the model is back at rest");
       await context.close();
     },
   },

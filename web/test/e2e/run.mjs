@@ -20,7 +20,14 @@ if (!existsSync(`${root}/dist/index.html`) || process.env.FEELEM_E2E_BUILD) {
 const { glb } = tinyScene();
 const server = await serve(new Map([["scene.glb", new Uint8Array(glb)]]));
 const browser = await launch();
-const given = { browser, url: server.url, scene: readScene(glb) };
+/** Another tiny scene on a server of its own. */
+async function serveTiny(options) {
+  const made = tinyScene(options);
+  const files = new Map([["scene.glb", new Uint8Array(made.glb)]]);
+  for (const [uri, bytes] of made.side) files.set(uri, new Uint8Array(bytes));
+  return { ...(await serve(files)), bytes: made.glb, files };
+}
+const given = { browser, url: server.url, scene: readScene(glb), serveTiny };
 let passed = 0;
 let failed = 0;
 let skipped = 0;

@@ -313,7 +313,9 @@ export function tinyScene(options: TinyOptions = {}): TinyScene {
       const scalars = valid.filter((v) => v.node).map((v) => ({ value: valueAt(v)[0]!, node: v.node }));
       scalars.sort((a, b) => a.value - b.value || a.node - b.node);
       const top = scalars.at(-1)!.value;
-      const fill = q.components.map((_, k) => Math.min(...valid.map((v) => valueAt(v)[k]!)));
+      const fill = q.components.map((_, k) =>
+        valid.reduce((low, v) => Math.min(low, valueAt(v)[k]!), Number.POSITIVE_INFINITY),
+      );
       const name = `p0/${attribute}/${step}`;
       const data = floats(skin.vertices, (v) => (missing(v) ? fill : valueAt(v)));
       writer.add(name, data, q.components.length === 3 ? "VEC3" : "SCALAR", buffer);
