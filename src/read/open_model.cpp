@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files and folders in, one model out: each file goes to the reader that is surest of its content.
+#include "base/nearest_name.hpp"
 #include "base/text_encoding.hpp"
 #include "read/merged_model.hpp"
 #include "read/read_format.hpp"
@@ -67,10 +68,17 @@ const ReadFormat* forced_format(const std::string& id) {
     for (const ReadFormat& format : read_format_list()) {
         if (format.info.id == id) return &format;
     }
+    std::vector<std::string_view> ids;
+    for (const ReadFormat& format : read_format_list()) ids.push_back(format.info.id);
     throw Error(
         Code::UnknownName,
         "",
-        fmt::format("there is no reader called \"{}\". The readers are: {}.", id, known_formats())
+        fmt::format(
+            "there is no reader called \"{}\".{} The readers are: {}.",
+            id,
+            did_you_mean(id, ids),
+            known_formats()
+        )
     );
 }
 

@@ -7,6 +7,7 @@
 // tests/data/fuzz_regressions, where it is tried by every run.
 #include "read/read_format.hpp"
 #include "support/exercise.hpp"
+#include "support/memory.hpp"
 #include "support/paths.hpp"
 
 #include "feelem/error.hpp"
@@ -29,32 +30,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define FEELEM_SANITIZED
-#endif
-#endif
-#if defined(FEELEM_SANITIZED) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
+using test::kSanitized;
 
+constexpr std::size_t kAttempts = kSanitized ? 3 : 10;
 constexpr double kMostSeconds = kSanitized ? 20 : 2;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 constexpr std::uint64_t kLargeFile = 1'500'000;
-
-/// Peak of resident memory since the last reset, in bytes (Linux).
-std::uint64_t peak_memory() {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.starts_with("VmHWM:")) return std::stoull(line.substr(6)) * 1024;
-    }
-    return 0;
-}
-void reset_peak_memory() {
-    std::ofstream("/proc/self/clear_refs") << "5";
-}
 
 struct Case {
     std::string name;               ///< Path from its root.
@@ -70,8 +51,8 @@ std::uint64_t seed_of(const std::string& text) {
 /// Opens and uses; empty when that ended as it must.
 std::string attempt(std::vector<NamedBytes> files) {
     const auto start = std::chrono::steady_clock::now();
-    reset_peak_memory();
-    const std::uint64_t before = peak_memory();
+    test::reset_peak_memory();
+    const std::uint64_t before = test::peak_memory();
     std::string wrong;
     try {
         Diagnostics diagnostics;
@@ -84,7 +65,7 @@ std::string attempt(std::vector<NamedBytes> files) {
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (seconds.count() > kMostSeconds) wrong += fmt::format(" took {:.1f} s", seconds.count());
-    const std::uint64_t used = peak_memory() - std::min(before, peak_memory());
+    const std::uint64_t used = test::peak_memory() - std::min(before, test::peak_memory());
     if (!kSanitized && used > kMostBytes) wrong += fmt::format(" used {} MiB", used >> 20);
     return wrong;
 }
@@ -177,7 +158,7 @@ void expect_survival_below(const std::string& root) {
     const std::vector<Case> cases =
         cases_below(root, count != nullptr ? std::numeric_limits<std::uint64_t>::max() : kLargeFile);
     EXPECT_FALSE(cases.empty()) << root;
-    for (const Case& one : cases) expect_survival(one, count != nullptr ? std::stoul(count) : 10);
+    for (const Case& one : cases) expect_survival(one, count != nullptr ? std::stoul(count) : kAttempts);
     std::cout << fmt::format("{} files\n", cases.size());
 }
 
@@ -209,6 +190,7 @@ TEST_F(Hostile, corpus_of_ansys_cut_and_damaged_is_survived) {
 }
 
 TEST_F(Hostile, corpus_of_boilers_cut_and_damaged_is_survived) {
+    if (std::getenv("FEELEM_HOSTILE") == nullptr) GTEST_SKIP() << "the shipped ones are like them";
     const auto corpus = test::corpus_file("boiler");
     if (!corpus) GTEST_SKIP() << "the corpus is not here";
     expect_survival_below(*corpus);

@@ -3,6 +3,7 @@
 #include "base/number.hpp"
 #include "read/calculix/frd_fields.hpp"
 #include "read/frd_text.hpp"
+#include "support/memory.hpp"
 #include "support/paths.hpp"
 
 #include "feelem/error.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <bit>
 #include <cmath>
@@ -423,6 +425,35 @@ TEST(Frd, records_in_any_order_go_to_their_nodes) {
         for (std::size_t row = 0; row < result.row_count(); ++row)
             ASSERT_EQ(result.values[row], static_cast<float>(row + 1)) << "shuffled: " << shuffled;
     }
+}
+
+TEST(Frd, a_large_file_is_let_go_behind_the_reader) {
+    if (test::kSanitized) GTEST_SKIP() << "sanitizers hold memory of their own";
+    constexpr int kNodes = 300'000;
+    std::size_t file_bytes = 0;
+    const std::string path = test::scratch_folder("frd_memory") + "/large.frd";
+    {
+        FrdText file;
+        for (int id = 1; id <= kNodes; ++id) file.node(id, id, 0, 0);
+        file.result("SDV", std::vector<std::string>(6, test::scalar("S")), kNodes);
+        for (int id = 1; id <= kNodes; ++id) file.record(id, {1, 2, 3, 4, 5, 6});
+        const std::string text = file.end_block().text();
+        file_bytes = text.size();
+        test::write_file(path, text);
+    }
+    malloc_trim(0);
+    test::reset_peak_memory();
+    const std::uint64_t before = test::peak_memory();
+
+    Diagnostics diagnostics;
+    const auto model = open_model(std::vector<std::string>{path}, {}, diagnostics);
+    const Result result = model->load(0);
+
+    const std::uint64_t used = test::peak_memory() - before;
+    const std::uint64_t held = kNodes * (sizeof(NodeId) + sizeof(Point3) + 6 * sizeof(float));
+    EXPECT_EQ(result.values.back(), 6);
+    EXPECT_GT(file_bytes, 2 * held);
+    EXPECT_LT(used, held + (16u << 20));
 }
 
 TEST(Frd, shell_surfaces_are_layers_of_one_stress) {

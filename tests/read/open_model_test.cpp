@@ -43,6 +43,17 @@ TEST(OpenModel, rejects_an_empty_folder) {
     EXPECT_EQ(code_of_opening({test::scratch_folder("open_model_empty")}), Code::UnknownFormat);
 }
 
+TEST(OpenModel, answers_an_unknown_reader_with_the_nearest_one) {
+    Diagnostics diagnostics;
+    try {
+        open_model(std::vector<NamedBytes>{{"x", ""}}, {.from = "calculix_frd", .types = ""}, diagnostics);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::UnknownName);
+        EXPECT_THAT(error.what(), HasSubstr("Did you mean \"calculix-frd\"?"));
+    }
+}
+
 TEST(OpenModel, answers_an_unknown_reader_with_the_known_ones) {
     EXPECT_EQ(
         code_of_opening({test::project_file("README.md")}, {.from = "autocad", .types = ""}),
