@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,23 @@ TEST(FrdAnswers, corpus_boiler_of_quadratic_bricks_as_text_and_binary) {
     if (!folder) GTEST_SKIP() << "the corpus is not here";
     expect_boiler(*folder + "/heat.frd", *folder + "/results.json", "heat");
     expect_boiler(*folder + "/static.frd", *folder + "/results.json", "static");
+
+    const auto text = open_files({*folder + "/static.frd"});
+    const auto binary = open_files({*folder + "/static_binary.frd"});
+    EXPECT_EQ(text->model->mesh().blocks[1].nodes, binary->model->mesh().blocks[1].nodes);
+    ASSERT_EQ(text->model->results().size(), binary->model->results().size());
+    for (std::size_t i = 0; i < text->model->results().size(); ++i) {
+        const Result six_digits = text->model->load(i);
+        const Result all_digits = binary->model->load(i);
+        ASSERT_EQ(six_digits.values.size(), all_digits.values.size());
+        // Two runs of the solver: what should be nothing is noise of its own in each.
+        float largest = 0;
+        for (const float value : all_digits.values) largest = std::max(largest, std::abs(value));
+        for (std::size_t v = 0; v < six_digits.values.size(); ++v) {
+            const double tolerance = 6e-6 * std::abs(all_digits.values[v]) + 1e-9 * largest;
+            ASSERT_NEAR(six_digits.values[v], all_digits.values[v], tolerance) << six_digits.info.name;
+        }
+    }
 }
 
 TEST(FrdAnswers, corpus_modes_and_transient) {
