@@ -233,6 +233,33 @@ TEST(ValueLists, two_commands_in_one_file_are_two_results) {
     EXPECT_EQ(strain.info.components, (std::vector<std::string>{"xx", "yy", "zz", "xy", "yz", "zx"}));
 }
 
+TEST(ValueLists, invariants_listed_apart_join_their_tensor) {
+    auto opened = open_texts(
+        {page("", "NODAL STRESS") +
+             "    NODE     S1           S2           S3           SINT         SEQV\n"
+             "       2  30.000       20.000       10.000       20.000       17.321    \n"
+             "       1  3.0000       2.0000       1.0000       2.0000       1.7321    \n",
+         page("", "NODAL STRESS") +
+             "    NODE    SX          SY          SZ          SXY         SYZ         SXZ\n"
+             "       1  1.0000      2.0000      3.0000      4.0000      5.0000      6.0000    \n"
+             "       2  10.000      20.000      30.000      40.000      50.000      60.000    \n",
+         page("", "NODAL STRESS", 2) +
+             "    NODE     S1           S2           S3           SINT         SEQV\n"
+             "       1  9.0000       8.0000       7.0000       6.0000       5.0000    \n"}
+    );
+    ASSERT_EQ(opened.model->results().size(), 2u);
+    EXPECT_EQ(opened.model->steps().size(), 2u);
+    const Result joined = load_only(opened, "stress", "xx");
+    EXPECT_EQ(joined.info.shape, Shape::SymmetricTensor);
+    ASSERT_EQ(joined.info.components.size(), 11u);
+    EXPECT_EQ(joined.info.components[10], "von_mises");
+    EXPECT_EQ(opened.model->steps()[joined.info.step].substep, 1);
+    EXPECT_THAT(
+        joined.values,
+        ElementsAre(1, 2, 3, 4, 5, 6, 3, 2, 1, 2, 1.7321F, 10, 20, 30, 40, 50, 60, 30, 20, 10, 20, 17.321F)
+    );
+}
+
 TEST(ValueLists, titles_alone_name_the_columns) {
     auto opened = open_texts(
         {"\n PRINT U    NODAL SOLUTION PER NODE\n       1    0.2896239142E+02  -0.2824804886E+02  "

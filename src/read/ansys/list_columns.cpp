@@ -247,6 +247,19 @@ std::vector<ColumnGroup> group_columns(const List& list) {
     return groups;
 }
 
+bool is_derived_component(std::string_view component) {
+    constexpr std::array kDerived{
+        "magnitude",
+        "principal_1",
+        "principal_2",
+        "principal_3",
+        "tresca",
+        "von_mises",
+        "intensity",
+        "equivalent"};
+    return std::ranges::find(kDerived, component) != kDerived.end();
+}
+
 std::vector<std::string> default_columns(std::string_view label, std::size_t count) {
     constexpr std::array kVector{"X", "Y", "Z", "SUM"};
     constexpr std::array kTensor{"X", "Y", "Z", "XY", "YZ", "XZ"};

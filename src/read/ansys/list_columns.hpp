@@ -23,6 +23,9 @@ struct ColumnGroup {
 /// axes keep the solver's names, so that nothing is made of them by mistake.
 std::vector<ColumnGroup> group_columns(const List& list);
 
+/// Whether a component is made of others (magnitude, von_mises ...), be it by the solver.
+bool is_derived_component(std::string_view component);
+
 /// Columns of a list that does not name them, by its label and their number: U with four is UX UY UZ USUM.
 /// COLUMN_1, COLUMN_2 ... when the label does not tell.
 std::vector<std::string> default_columns(std::string_view label, std::size_t count);

@@ -192,9 +192,11 @@ void for_each_element(
         use(row);
     };
     bool at_end_of_file = false;
+    ReleaseBehind release(file.input);
     for (const TextRange run : list.runs) {
         Lines lines(file.input.text(), run.begin, run.end, file.line_end);
         while (lines.next()) {
+            release.at(lines.begin());
             const std::string_view line = lines.line();
             if (!is_digit(first_mark(line))) continue;
             const bool further = line_of_element > 0 && indent_of(line) >= kContinuationIndent;

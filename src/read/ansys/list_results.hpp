@@ -42,6 +42,8 @@ struct ListedResult {
     std::vector<std::size_t> columns;  ///< One a component.
     ListKind kind = ListKind::NodalValues;
     std::string where;  ///< File, for messages.
+    /// Lists of derived components of the same result (PRNSOL,S,PRIN beside PRNSOL,S): theirs follow.
+    std::vector<ListedResult> further;
 };
 
 struct ListedResults {

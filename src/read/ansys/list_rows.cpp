@@ -183,9 +183,11 @@ void for_each_node(
 ) {
     std::size_t usual_length = 0;
     NodeRow row;
+    ReleaseBehind release(file.input);
     for (const TextRange run : list.runs) {
         Lines lines(file.input.text(), run.begin, run.end, file.line_end);
         while (lines.next()) {
+            release.at(lines.begin());
             if (!is_digit(first_mark(lines.line()))) continue;
             Cursor cursor(lines.line());
             if (!scan_row_id(cursor, row.id)) {
@@ -220,9 +222,11 @@ void for_each_value_row(
     std::size_t usual_length = 0;
     ValueParser parser(list.head);
     ValueRow row;
+    ReleaseBehind release(file.input);
     for (const TextRange run : list.runs) {
         Lines lines(file.input.text(), run.begin, run.end, file.line_end);
         while (lines.next()) {
+            release.at(lines.begin());
             if (!is_digit(first_mark(lines.line()))) {
                 read_element_line(lines.line(), row);
                 continue;

@@ -92,7 +92,9 @@ public:
     ListFile run() {
         const std::string_view text = file_.input.text();
         Lines lines(text, 0, text.size(), file_.line_end);
+        ReleaseBehind release(file_.input);
         while (lines.next()) {
+            release.at(lines.begin());
             const char mark = first_mark(lines.line());
             if (mark == '\0') continue;
             if (is_digit(mark))

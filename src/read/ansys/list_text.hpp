@@ -2,6 +2,7 @@
 // Lines and numbers of Ansys' text lists, read without copying and without trusting blanks between columns.
 #pragma once
 
+#include "base/input.hpp"
 #include "base/number.hpp"
 
 #include <fast_float/fast_float.h>
@@ -53,6 +54,22 @@ private:
     std::size_t next_;
     std::size_t end_;
     char line_end_;
+};
+
+/// Lets the system take back the pages of a mapped file behind a reading position.
+class ReleaseBehind {
+public:
+    explicit ReleaseBehind(const Input& input) : input_(input) {}
+    void at(std::size_t offset) {
+        constexpr std::size_t kStride = 4U << 20U;
+        if (offset < released_ + kStride) return;
+        input_.release(released_, offset);
+        released_ = offset;
+    }
+
+private:
+    const Input& input_;
+    std::size_t released_ = 0;
 };
 
 inline bool is_digit(char c) {

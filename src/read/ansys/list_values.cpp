@@ -322,7 +322,22 @@ ElementIndex ElementFinder::operator()(std::int64_t id) const {
 Result load_values(
     const ListModel& model, const ListedResult& listed, const Mesh& mesh, Diagnostics* diagnostics
 ) {
-    return ValueLoader(model, listed, mesh, diagnostics).load();
+    Result result = ValueLoader(model, listed, mesh, diagnostics).load();
+    for (const ListedResult& further : listed.further) {
+        const Result more = ValueLoader(model, further, mesh, diagnostics).load();
+        const std::size_t width = more.component_count();
+        const std::size_t before = mesh.node_count() == 0 ? 0 : result.values.size() / mesh.node_count();
+        std::vector<float> joined;
+        joined.reserve(result.values.size() + more.values.size());
+        for (std::size_t row = 0; row < mesh.node_count(); ++row) {
+            const auto first = result.values.begin() + static_cast<std::ptrdiff_t>(row * before);
+            joined.insert(joined.end(), first, first + static_cast<std::ptrdiff_t>(before));
+            const auto next = more.values.begin() + static_cast<std::ptrdiff_t>(row * width);
+            joined.insert(joined.end(), next, next + static_cast<std::ptrdiff_t>(width));
+        }
+        result.values = std::move(joined);
+    }
+    return result;
 }
 
 }  // namespace feelem::ansys
