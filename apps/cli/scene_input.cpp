@@ -49,7 +49,6 @@ SceneInput::SceneInput(const Options& options) {
     Job job = given;
     const std::string stem = fs::path(given.inputs.front()).stem().string();
     job.output = (fs::path(folder_) / ((stem.empty() ? "scene" : stem) + ".glb")).string();
-    if (job.title.empty()) job.title = stem;
     try {
         Diagnostics diagnostics;
         Terminal terminal(options.verbose);

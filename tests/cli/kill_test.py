@@ -90,7 +90,19 @@ def main():
                 fail(f"a refused input left {sorted(os.listdir(folder))}")
             if code == 0 and not (folder / name).exists():
                 fail("success without an output")
-    print(f"{killed} killed, {refused} refused, {finished} used in part, {RUNS // 2 - killed} finished before the kill")
+        cancelled = 0
+        for run in range(10):  # Ctrl-C
+            folder = pathlib.Path(scratch, f"cancel{run}")
+            folder.mkdir()
+            process = convert(program, source, folder / "a.gltf")
+            time.sleep(0.5 * chance.random() * seconds["a.gltf"])
+            process.send_signal(signal.SIGINT)
+            code = process.wait(timeout=60)
+            # -2: it came before the program listened.
+            if code not in (0, 1, -signal.SIGINT) or (code != 0 and os.listdir(folder)):
+                fail(f"Ctrl-C ended with {code} and left {os.listdir(folder)}")
+            cancelled += code == 1
+    print(f"{cancelled} cancelled, {killed} killed, {refused} refused, {finished} used in part, {RUNS // 2 - killed} finished before the kill")
     if killed < 5 or refused + finished == 0:
         fail("too few runs were killed to mean anything")
 

@@ -6,6 +6,7 @@
 #include "convert/selection.hpp"
 #include "convert/skin_options.hpp"
 #include "convert/stale_files.hpp"
+#include "made_up_source.hpp"
 #include "support/meshes.hpp"
 #include "support/paths.hpp"
 
@@ -23,29 +24,6 @@ namespace feelem::test {
 namespace {
 
 using testing::ElementsAre;
-
-class MadeUpSource : public ModelSource {
-public:
-    std::vector<Step> made_steps;
-    std::vector<ResultInfo> made_results;
-    std::vector<InputRecord> made_inputs{{"a.frd", "", 0, ""}, {"folder/b.frd", "", 0, ""}};
-    Mesh made_mesh = brick_grid(1, 1, 1);
-
-    const Mesh& mesh() const override { return made_mesh; }
-    std::span<const Step> steps() const override { return made_steps; }
-    std::span<const ResultInfo> results() const override { return made_results; }
-    Result load(std::size_t index) override { return {made_results[index], {}, {}, {}}; }
-    std::span<const InputRecord> inputs() const override { return made_inputs; }
-
-    void add(std::uint32_t input, int step, int substep, StepKind kind = StepKind::Time) {
-        made_steps.push_back({input, step, substep, kind, static_cast<double>(substep), ""});
-        ResultInfo info;
-        info.name = "temperature";
-        info.components = {"value"};
-        info.step = static_cast<std::uint32_t>(made_steps.size() - 1);
-        made_results.push_back(info);
-    }
-};
 
 std::vector<std::size_t> steps_of(const MadeUpSource& source, std::string_view text) {
     Diagnostics diagnostics;
