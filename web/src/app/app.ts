@@ -67,6 +67,7 @@ export class App implements ApiSource {
       panelModel: (hover: string | null) => this.#panelModel(hover),
       legendModel: () => this.#legendModel(),
       cardModel: () => this.#cardModel(),
+      marks: () => this.#marks(),
     };
     this.#vr = new VrEntry(this, boards, () => {
       this.#render();
@@ -118,7 +119,9 @@ export class App implements ApiSource {
     return cardModel(this.view, this.store.state.doc, report, options);
   }
 
+  /** Only displacements are lengths that a shape can be moved by. */
   #canShape(shown: { name: string }): boolean {
+    if (shown.name !== "displacement") return false;
     return this.view.scene.extras.results.some((r) => r.quantity === shown.name && r.components.length === 3);
   }
 
@@ -335,6 +338,18 @@ export class App implements ApiSource {
     this.#page.renderCard(this.#cardModel(), at, () => this.pin(null));
     this.#page.renderMarkers(this.#markers(at, current?.name === PIN));
     this.#renderLegend();
+  }
+
+  /** The extremes in the room, metres. */
+  #marks() {
+    if (!this.store.state.extremes) return [];
+    const matrix = this.view.model.worldMatrix();
+    return this.#extremes.map(({ kind, text, detail, place }) => ({
+      kind,
+      text,
+      detail,
+      at: this.view.picker.worldOf(place, matrix),
+    }));
   }
 
   #markers(reticle: { x: number; y: number } | null, pinned: boolean): Marker[] {

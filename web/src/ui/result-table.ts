@@ -44,7 +44,7 @@ function row(model: TableModel, shown: Shown, actions: Actions): TemplateResult 
     <th scope="row"><span class="result-name">${shown.label}</span>
       <span class="result-range">${
         shown.result
-          ? `${numberText(shown.range.lo, 4)} … ${numberText(shown.range.hi, 4)} ${unit}`
+          ? `${numberText(shown.range.lo)} … ${numberText(shown.range.hi)} ${unit}`
           : "not in this scene"
       }</span></th>
     ${COLUMNS.map((column) => cell(model, shown, column, actions))}
@@ -63,6 +63,7 @@ export function resultTableTemplate(model: TableModel, actions: Actions): Templa
       </thead>
       <tbody>${model.shown.map((shown) => row(model, shown, actions))}</tbody>
     </table>
+    ${model.shown.length + model.others.length === 0 ? html`<p class="hint">This scene holds no results: only the shape can be looked at.</p>` : null}
     ${
       model.others.length === 0
         ? null

@@ -51,7 +51,7 @@ export function stepBarTemplate(model: StepBarModel, actions: Actions): Template
   const index = model.steps.findIndex((s) => s.id === model.step);
   const many = model.steps.length > 1;
   return html`<footer class="stepbar" aria-label="Steps">
-    <div class="steps" role="group" aria-label="Step">
+    <div class="steps" role="group" aria-label="Step" ?hidden=${model.steps.length === 0}>
       <button type="button" class="tool" aria-label="previous step" title="previous step  ," ?disabled=${!many} @click=${() => actions.stepBy(-1)}>${icon("back")}</button>
       <button type="button" class="tool play" aria-label=${model.playing ? "pause" : "play"} title="play  Space"
         aria-pressed=${model.playing ? "true" : "false"} ?disabled=${!model.canPlay} @click=${() => actions.togglePlay()}>${icon(model.playing ? "pause" : "play")}</button>

@@ -16,6 +16,7 @@ import { Board } from "./board";
 import { Grab } from "./grab";
 import { onTable, placeBefore, type Stand, standOf, TABLE_SIZE } from "./room";
 import { CARD_SIZE, LEGEND_SIZE, paintVrCard, paintVrLegend } from "./vr-legend";
+import { type VrMark, VrMarkers } from "./vr-markers";
 import { PANEL_HEIGHT, PANEL_WIDTH, paintPanel } from "./vr-panel";
 import { type VrPointer, VrPointers } from "./vr-pointers";
 
@@ -34,12 +35,15 @@ export interface VrHost {
   panelModel(hover: string | null): Parameters<typeof paintPanel>[1];
   legendModel(): Parameters<typeof paintVrLegend>[1];
   cardModel(): Parameters<typeof paintVrCard>[1] | null;
+  /** Largest and smallest value where they stand now. */
+  marks(): readonly VrMark[];
 }
 
 export class VrSession {
   readonly #host: VrHost;
   readonly #session: XRSession;
   readonly #pointers: VrPointers;
+  readonly #markers: VrMarkers;
   readonly #grab = new Grab();
   readonly #panel = new Board(PANEL_WIDTH, PANEL_HEIGHT, 0.62);
   readonly #legend = new Board(LEGEND_SIZE.width, LEGEND_SIZE.height, 0.34);
@@ -61,6 +65,7 @@ export class VrSession {
     const { stage, store } = host.app;
     stage.scene.add(this.#floor, this.#panel.mesh, this.#legend.mesh, this.#card.mesh);
     for (const board of [this.#panel, this.#legend, this.#card]) board.mesh.visible = false;
+    this.#markers = new VrMarkers(stage.scene);
     this.#pointers = new VrPointers(stage.renderer, stage.scene, {
       connected: (pointer) => {
         host.app.probing.pointer(pointer.name, pointer.kind).actuator = pointer.actuator;
@@ -156,6 +161,7 @@ export class VrSession {
       this.#showDot(pointer.name, onBoard ? null : (hit?.world ?? null));
     }
     this.#paint(hover);
+    this.#markers.update(this.#host.marks(), scratchHead.setFromMatrixPosition(this.#head));
   }
 
   /** The middle of the eyes; false while nobody is tracked. */
@@ -268,6 +274,7 @@ export class VrSession {
     senses.stop();
     for (const remove of this.#removals) remove();
     this.#pointers.dispose();
+    this.#markers.dispose();
     for (const board of [this.#panel, this.#legend, this.#card]) board.dispose();
     for (const [name, dot] of this.#dots) {
       dot.geometry.dispose();
