@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wires scene, state, drawing, pointers, senses and panels: the only file that knows them all.
-import { type Ray, Ray as RayOf, Vector3 } from "three";
+import { Ray } from "three";
 import { attachKeyboard, type KeyCommand } from "../input/keyboard";
 import { attachMouse } from "../input/mouse";
 import { findElement, findNode, type Place } from "../probe";
 import { Stage } from "../render";
 import type { SceneData } from "../scene";
-import {
-  type Actions,
-  type LegendModel,
-  type Marker,
-  modelDirection,
-  numberText,
-  stepText,
-  type ViewName,
-} from "../ui";
+import type { Actions, Marker, ViewName } from "../ui";
 import type { ApiSource } from "./api";
-import { cardModel } from "./card-model";
 import { type ExtremePlace, extremePlaces } from "./extremes";
 import { firstState } from "./first-state";
 import { keyCommands } from "./keys";
@@ -24,15 +15,16 @@ import { makeActions } from "./make-actions";
 import { ModelView } from "./model-view";
 import type { Page } from "./page";
 import { Player } from "./player";
-import { colourEffect, otherResults } from "./presentation-doc";
 import { PIN, Probing } from "./probing";
 import { Senses } from "./senses";
+import { fitModel, inSight, lookFrom, turnTo } from "./sight";
 import { Store, type ViewState } from "./store";
 import { applyTheme } from "./theme";
+import { ViewModels } from "./view-models";
 import { VrEntry } from "./vr-entry";
 
 const MOUSE = "mouse";
-const scratchRay: Ray = new RayOf();
+const scratchRay = new Ray();
 
 export interface AppOptions {
   readonly sceneUrl: string;
@@ -48,10 +40,10 @@ export class App implements ApiSource {
   readonly senses: Senses;
   readonly #page: Page;
   readonly #player: Player;
+  readonly #models: ViewModels;
   readonly #vr: VrEntry;
   readonly #keys: readonly KeyCommand[];
   #extremes: readonly ExtremePlace[] = [];
-  #mouseAt: { x: number; y: number } | null = null;
   #stale = true;
 
   constructor(page: Page, scene: SceneData, options: AppOptions) {
@@ -63,10 +55,11 @@ export class App implements ApiSource {
     this.probing = new Probing(this.view, this.store);
     this.senses = new Senses(this.view, this.probing, this.store, this.stage);
     this.#player = new Player(this.view, this.store, this.stage);
+    this.#models = new ViewModels(this.view, this.store, this.probing, this.#player);
     const boards = {
-      panelModel: (hover: string | null) => this.#panelModel(hover),
-      legendModel: () => this.#legendModel(),
-      cardModel: () => this.#cardModel(),
+      panelModel: (hover: string | null) => this.#models.panel(hover),
+      legendModel: () => this.#models.legend(),
+      cardModel: () => this.#models.card(),
       marks: () => this.#marks(),
     };
     this.#vr = new VrEntry(this, boards, () => {
@@ -93,38 +86,6 @@ export class App implements ApiSource {
     return this.#vr.enter();
   }
 
-  #panelModel(hover: string | null) {
-    const { state } = this.store;
-    return {
-      state,
-      shown: this.view.shown,
-      step: this.view.step,
-      stepCount: this.view.scene.extras.steps.length,
-      factor: this.view.factor,
-      canShape: (shown: { name: string }) => this.#canShape(shown),
-      canPlay: this.#player.canPlay,
-      hover,
-    };
-  }
-
-  #cardModel() {
-    const current = this.probing.current();
-    const report = this.probing.report();
-    if (!current || !report) return null;
-    const options = {
-      pinned: current.name === PIN,
-      sounding: current.held,
-      vibrates: current.actuator !== null,
-    };
-    return cardModel(this.view, this.store.state.doc, report, options);
-  }
-
-  /** Only displacements are lengths that a shape can be moved by. */
-  #canShape(shown: { name: string }): boolean {
-    if (shown.name !== "displacement") return false;
-    return this.view.scene.extras.results.some((r) => r.quantity === shown.name && r.components.length === 3);
-  }
-
   extras() {
     return this.view.scene.extras;
   }
@@ -143,20 +104,11 @@ export class App implements ApiSource {
   }
 
   fit(): void {
-    this.stage.orbit.fit(this.view.model.bounds());
+    fitModel(this.stage, this.view);
   }
 
   lookFrom(name: ViewName): void {
-    const matrix = this.view.model.group.matrix;
-    if (name === "iso") {
-      this.stage.orbit.lookFrom(modelDirection(matrix, [1, -1, 0]).add(new Vector3(0, 0.75, 0)));
-    } else {
-      const axis = { x: 0, y: 1, z: 2 }[name[1] as "x" | "y" | "z"];
-      const direction: [number, number, number] = [0, 0, 0];
-      direction[axis] = name[0] === "+" ? 1 : -1;
-      this.stage.orbit.lookFrom(modelDirection(matrix, direction));
-    }
-    this.fit();
+    lookFrom(this.stage, this.view, name);
   }
 
   goTo(kind: "node" | "element", id: number): void {
@@ -173,27 +125,8 @@ export class App implements ApiSource {
   pin(place: Place | null): void {
     if (place) this.probing.move(PIN, "keyboard", place);
     else this.probing.remove(PIN);
-    if (place) this.#turnTo(place);
+    if (place) turnTo(this.stage, this.view, place);
     this.#invalidate();
-  }
-
-  /** Turns the camera so that the place is in front, unless it is in sight already. */
-  #turnTo(place: Place): void {
-    if (this.#inSight(place)) return;
-    const world = this.view.picker.worldOf(place, this.view.model.worldMatrix());
-    const direction = world.sub(this.view.model.sphere().center);
-    if (direction.lengthSq() > 0) this.stage.orbit.lookFrom(direction);
-  }
-
-  #inSight(place: Place): boolean {
-    const matrix = this.view.model.worldMatrix();
-    const world = this.view.picker.worldOf(place, matrix);
-    scratchRay.origin.setFromMatrixPosition(this.stage.camera.matrixWorld);
-    scratchRay.direction.copy(world).sub(scratchRay.origin);
-    const distance = scratchRay.direction.length();
-    scratchRay.direction.normalize();
-    const hit = this.view.picker.ray(scratchRay, matrix);
-    return !hit || hit.distance > distance - 1e-3 * this.view.model.sphere().radius;
   }
 
   #attachPointer(): void {
@@ -204,12 +137,10 @@ export class App implements ApiSource {
       canvas: stage.canvas,
       hitsModel: (x, y) => pick(x, y) !== null,
       hover: (x, y, kind) => {
-        this.#mouseAt = { x, y };
         this.probing.move(MOUSE, kind, pick(x, y));
         this.#invalidate();
       },
       leave: () => {
-        this.#mouseAt = null;
         this.probing.move(MOUSE, "mouse", null);
         this.#invalidate();
       },
@@ -274,16 +205,7 @@ export class App implements ApiSource {
       },
       this.actions,
     );
-    this.#page.renderLeft(
-      {
-        doc: state.doc,
-        shown: this.view.shown,
-        others: otherResults(state.doc, extras),
-        canShape: (s) => this.#canShape(s),
-      },
-      this.#keys,
-      this.actions,
-    );
+    this.#page.renderLeft(this.#models.table(), this.#keys, this.actions);
     this.#page.renderBottom(
       {
         steps: extras.steps,
@@ -301,26 +223,8 @@ export class App implements ApiSource {
     this.#renderLegend();
   }
 
-  #legendModel(): LegendModel | null {
-    const { state } = this.store;
-    const shown = this.view.shownAs("colour");
-    const effect = colourEffect(state.doc);
-    const { palette } = this.view.model.material;
-    if (!shown || !effect || !palette) return null;
-    const { step, factor } = this.view;
-    return {
-      shown,
-      effect,
-      palette,
-      probed: this.probing.report()?.results.find((r) => r.key === shown.key)?.value ?? null,
-      stepText: step ? stepText(step) : "",
-      deformText: factor === 0 ? "undeformed" : `deformation × ${numberText(factor, 4)}`,
-      shading: state.shading,
-    };
-  }
-
   #renderLegend(): void {
-    this.#page.renderLegend(this.#legendModel(), this.actions);
+    this.#page.renderLegend(this.#models.legend(), this.actions);
   }
 
   /** Whatever follows the camera or the pointer. */
@@ -335,7 +239,7 @@ export class App implements ApiSource {
     const current = this.probing.current();
     const place = current?.place ?? null;
     const at = place && stage.project(view.picker.worldOf(place, matrix));
-    this.#page.renderCard(this.#cardModel(), at, () => this.pin(null));
+    this.#page.renderCard(this.#models.card(), at, () => this.pin(null));
     this.#page.renderMarkers(this.#markers(at, current?.name === PIN));
     this.#renderLegend();
   }
@@ -365,7 +269,7 @@ export class App implements ApiSource {
           text,
           detail,
           ...at,
-          hidden: !this.#inSight(place),
+          hidden: !inSight(stage, view, place),
           flipped: at.x > stage.canvas.clientWidth - 190,
           click: () => this.pin(place),
         });
@@ -382,9 +286,5 @@ export class App implements ApiSource {
         click: null,
       });
     return markers;
-  }
-
-  get mouseAt() {
-    return this.#mouseAt;
   }
 }
