@@ -82,8 +82,7 @@ public:
     ListedResults run() {
         for (std::size_t i = 0; i < model_.files.size(); ++i) add_file(i);
         for (std::size_t i = 0; i < model_.exports.size(); ++i) add_export(i);
-        join_derived();
-        drop_unused_steps();
+        join_derived(out_);
         return std::move(out_);
     }
 
@@ -215,64 +214,6 @@ private:
             });
         }
         return only_corners;
-    }
-
-    using MomentKey = std::tuple<std::string, Layer, int, int, StepKind, double, std::string>;
-    MomentKey moment_of(const ListedResult& result) const {
-        const Step& step = out_.steps[result.info.step];
-        return {
-            result.info.name, result.info.layer, step.step, step.substep, step.kind, step.value, step.label};
-    }
-
-    /// Whether a result is nothing but derived components of another one.
-    static bool belongs_to(const ListedResult& derived, const ListedResult& base) {
-        const ResultInfo& a = derived.info;
-        const ResultInfo& b = base.info;
-        return a.location == Location::Nodal && a.unit == b.unit && a.averaging == b.averaging &&
-               std::ranges::all_of(a.components, [&](const std::string& component) {
-                   return is_derived_component(component) && component_index(b, component) < 0;
-               });
-    }
-
-    /// The solver's own invariants join the tensor they were made of, so that none are computed beside them.
-    void join_derived() {
-        std::map<MomentKey, std::size_t> bases;
-        for (std::size_t i = 0; i < out_.results.size(); ++i) {
-            const ResultInfo& info = out_.results[i].info;
-            const bool is_whole = info.shape == Shape::SymmetricTensor || info.shape == Shape::Vector;
-            if (is_whole && info.location == Location::Nodal) bases.emplace(moment_of(out_.results[i]), i);
-        }
-        std::vector<bool> joined(out_.results.size());
-        for (std::size_t i = 0; i < out_.results.size(); ++i) {
-            const auto found = bases.find(moment_of(out_.results[i]));
-            if (found == bases.end() || found->second == i) continue;
-            ListedResult& base = out_.results[found->second];
-            if (!belongs_to(out_.results[i], base)) continue;
-            std::vector<std::string>& components = base.info.components;
-            for (const std::string& component : out_.results[i].info.components)
-                components.push_back(component);
-            base.info.corner_only = base.info.corner_only && out_.results[i].info.corner_only;
-            base.further.push_back(std::move(out_.results[i]));
-            joined[i] = true;
-        }
-        std::vector<ListedResult> kept;
-        for (std::size_t i = 0; i < joined.size(); ++i) {
-            if (!joined[i]) kept.push_back(std::move(out_.results[i]));
-        }
-        out_.results = std::move(kept);
-    }
-
-    void drop_unused_steps() {
-        std::vector<std::uint32_t> new_index(out_.steps.size());
-        std::vector<bool> used(out_.steps.size());
-        for (const ListedResult& result : out_.results) used[result.info.step] = true;
-        std::vector<Step> kept;
-        for (std::size_t i = 0; i < used.size(); ++i) {
-            new_index[i] = static_cast<std::uint32_t>(kept.size());
-            if (used[i]) kept.push_back(out_.steps[i]);
-        }
-        for (ListedResult& result : out_.results) result.info.step = new_index[result.info.step];
-        out_.steps = std::move(kept);
     }
 
     void note_axes(const List& list, const std::function<std::string()>& where) {

@@ -59,6 +59,10 @@ ListedResults list_results(
 /// The part that stands for a body of an export when no elements tell: "stress.txt body 2".
 std::string body_name(const ExportFile& file, std::size_t body);
 
+/// The solver's own invariants join the tensor they were made of, so that none are computed beside them.
+/// Steps that no result is left in go.
+void join_derived(ListedResults& out);
+
 /// Element id -> index, for lists of elements.
 class ElementFinder {
 public:

@@ -80,9 +80,4 @@ struct ListFile {
 /// Finds the lists of a file. Lists of other kinds are counted (UnknownBlock).
 ListFile scan_lists(const Input& input, Diagnostics& diagnostics);
 
-/// Whether the head of a file has a title, a page head or column names of such a list.
-bool has_list_title(std::string_view head);
-/// Whether the head of a file is rows of numbers as a list without titles has them.
-bool has_list_rows(std::string_view head);
-
 }  // namespace feelem::ansys
