@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 using Words = std::span<const std::string_view>;
 
 inline constexpr std::size_t kMaxPresentationBytes = 4u << 20;
-inline constexpr int kMaxDepth = 64;
+inline constexpr std::size_t kMaxDepth = 64;
 inline constexpr std::size_t kMaxItems = 1000;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -162,9 +162,18 @@ private:
     std::string path_;
 };
 
-/// Refuses what would make the parser's or the writer's recursion deep.
-inline void check_depth(std::string_view text, std::string_view file) {
-    int depth = 0;
+/// Refuses what would make recursion deep, or the ordered objects slow: each key looks at all before it.
+inline void check_size(std::string_view text, std::string_view file) {
+    const auto refuse = [&](const std::string& what) {
+        throw Error(Code::BadPresentation, std::string(file), what);
+    };
+    if (text.size() > kMaxPresentationBytes) {
+        refuse(fmt::format(
+            "{} bytes are too many for a presentation (at most {})", text.size(), kMaxPresentationBytes
+        ));
+    }
+    std::array<std::size_t, kMaxDepth + 1> keys{};
+    std::size_t depth = 0;
     bool quoted = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -173,28 +182,21 @@ inline void check_depth(std::string_view text, std::string_view file) {
             quoted = c != '"';
         } else if (c == '"') {
             quoted = true;
-        } else {
-            depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
-        }
-        if (depth > kMaxDepth) {
-            throw Error(
-                Code::BadPresentation, std::string(file), fmt::format("nested more than {} deep", kMaxDepth)
-            );
+        } else if (c == '[' || c == '{') {
+            if (++depth > kMaxDepth) {
+                refuse(fmt::format("nested more than {} deep", kMaxDepth));
+            }
+            keys.at(depth) = 0;
+        } else if (c == ']' || c == '}') {
+            depth -= depth > 0 ? 1 : 0;
+        } else if (c == ':' && ++keys.at(depth) > kMaxItems) {
+            refuse(fmt::format("an object has more than {} keys", kMaxItems));
         }
     }
 }
 
 inline Json parse_json(std::string_view text, std::string_view file) {
-    if (text.size() > kMaxPresentationBytes) {
-        throw Error(
-            Code::BadPresentation,
-            std::string(file),
-            fmt::format(
-                "{} bytes are too many for a presentation (at most {})", text.size(), kMaxPresentationBytes
-            )
-        );
-    }
-    check_depth(text, file);
+    check_size(text, file);
     try {
         return Json::parse(text);
     } catch (const Json::exception& error) {

@@ -5,6 +5,7 @@
 #include "feelem/error.hpp"
 #include "feelem/present.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -268,11 +269,47 @@ TEST(Presentation, survives_hostile_text) {
     EXPECT_THAT(refusal("[]"), HasSubstr("expected an object"));
     EXPECT_THAT(refusal(std::string(1'000'000, '[')), HasSubstr("nested more than 64 deep"));
     EXPECT_THAT(refusal(std::string(5u << 20, ' ')), HasSubstr("too many for a presentation"));
+    std::string keys = "{\"a\": 1";
+    for (int i = 0; i < 300'000; ++i) {
+        keys += fmt::format(",\"{}\":0", i);
+    }
+    EXPECT_THAT(refusal(keys + "}"), HasSubstr("more than 1000 keys"));
     EXPECT_THAT(refusal("{\"title\": \"\xff\xfe\"}"), HasSubstr("this is not JSON"));
     const std::string whole = boiler();
     for (std::size_t length = 0; length + 2 < whole.size(); ++length) {
         EXPECT_NE(refusal(whole.substr(0, length)), "accepted") << length;
     }
+}
+
+TEST(Presentation, damaged_text_is_refused_or_read_but_never_harms) {
+    const std::string whole = boiler();
+    constexpr std::string_view kBytes = "{}[]\",:0129.-eEtfn\\ #\xc3\x00";
+    std::uint32_t state = 1;
+    const auto random = [&](std::size_t below) {
+        state = state * 1664525 + 1013904223;
+        return static_cast<std::size_t>(state >> 8U) % below;
+    };
+    std::size_t read = 0;
+    for (int trial = 0; trial < 5000; ++trial) {
+        std::string damaged = whole;
+        for (std::size_t i = 0; i < 1 + random(4); ++i) {
+            const std::size_t at = random(damaged.size());
+            switch (random(3)) {
+            case 0: damaged[at] = kBytes[random(kBytes.size())]; break;
+            case 1: damaged.erase(at, 1 + random(20)); break;
+            default: damaged.insert(at, damaged.substr(random(damaged.size()), 1 + random(20)));
+            }
+        }
+        try {
+            const Presentation p = parse_presentation(damaged, "p.json");
+            const std::string written = presentation_json(p);
+            EXPECT_EQ(presentation_json(parse_presentation(written, "p.json")), written);
+            ++read;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), Code::BadPresentation);
+        }
+    }
+    EXPECT_GT(read, 100U) << "hardly any damage left a document";
 }
 
 TEST(Presentation, text_that_is_no_utf8_is_written_as_replacement_characters) {
