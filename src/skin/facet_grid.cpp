@@ -13,7 +13,7 @@ std::uint8_t point_at_halves(std::size_t corner_count, unsigned i, unsigned j) {
     return corner_count == 3 ? kOfTriangle[j][i] : kOfQuad[j][i];
 }
 
-struct Rows {
+struct GridRows {
     std::size_t corner_count;
     std::uint32_t n;
 
@@ -23,7 +23,7 @@ struct Rows {
     }
 };
 
-void add_triangles_of_triangle(const Rows& rows, FacetGrid& grid) {
+void add_triangles_of_triangle(const GridRows& rows, FacetGrid& grid) {
     for (std::uint32_t j = 0; j < rows.n; ++j) {
         for (std::uint32_t i = 0; i + j < rows.n; ++i) {
             grid.triangles.push_back({rows.at(i, j), rows.at(i + 1, j), rows.at(i, j + 1)});
@@ -34,7 +34,7 @@ void add_triangles_of_triangle(const Rows& rows, FacetGrid& grid) {
 }
 
 /// The diagonals run towards the centre, as in the coarse pattern.
-void add_triangles_of_quad(const Rows& rows, FacetGrid& grid) {
+void add_triangles_of_quad(const GridRows& rows, FacetGrid& grid) {
     const std::uint32_t half = rows.n / 2;
     for (std::uint32_t j = 0; j < rows.n; ++j) {
         for (std::uint32_t i = 0; i < rows.n; ++i) {
@@ -100,7 +100,7 @@ NodeIndex node_at(const Outline& facet, std::size_t point) {
 }  // namespace
 
 FacetGrid grid_of(std::size_t corner_count, unsigned pieces) {
-    const Rows rows{corner_count, pieces};
+    const GridRows rows{corner_count, pieces};
     FacetGrid grid;
     const std::uint32_t half = pieces / 2;
     std::uint32_t between = 0;
