@@ -36,7 +36,8 @@ enum class Takes : std::uint8_t {
     Nothing = 0,
     Inputs = 1,
     Output = 2,
-    Model = 4,  ///< Units, skin, steps, results ...
+    Model = 4,     ///< Units, skin, steps, results ...
+    Reading = 64,  ///< How inputs are read.
     Json = 8,
     Place = 16,
     Serving = 32,

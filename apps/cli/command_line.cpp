@@ -71,6 +71,16 @@ struct Texts {
     std::string point, ray, up = "z";
 };
 
+void add_reading_options(CLI::App& app, Job& job) {
+    app.add_option("--surface-nodes", job.surface_nodes_file, "FILE: the second node list of the node map")
+        ->option_text(" ");
+    app.add_option(
+           "--types", job.read.types, "LIST|FILE: element types, 1=SOLID92,2=SHELL63 or an ETLIST listing"
+    )
+        ->option_text(" ");
+    app.add_option("--from", job.read.from, "FORMAT: force a reader")->option_text(" ");
+}
+
 void add_model_options(CLI::App& app, Job& job, Texts& texts) {
     static const std::map<std::string, SkinMethod> skins{
         {"exact", SkinMethod::Exact}, {"node-list", SkinMethod::NodeList}, {"all", SkinMethod::All}};
@@ -79,12 +89,6 @@ void add_model_options(CLI::App& app, Job& job, Texts& texts) {
     const auto one_of = [](const auto& words) { return CLI::CheckedTransformer(words).description(""); };
     app.add_option("--skin", job.skin.method, "exact | node-list | all: which facets are the skin (exact)")
         ->transform(one_of(skins))
-        ->option_text(" ");
-    app.add_option("--surface-nodes", job.surface_nodes_file, "FILE: the second node list of the node map")
-        ->option_text(" ");
-    app.add_option(
-           "--types", job.read.types, "LIST|FILE: element types, 1=SOLID92,2=SHELL63 or an ETLIST listing"
-    )
         ->option_text(" ");
     app.add_option("--length-unit", job.length_unit, "m mm cm in ft um: unit of the coordinates")
         ->option_text(" ");
@@ -102,7 +106,6 @@ void add_model_options(CLI::App& app, Job& job, Texts& texts) {
         ->check(CLI::Range(0, 5).description(""))
         ->option_text(" ");
     app.add_option("--present", job.presentation_file, "FILE: presentation")->option_text(" ");
-    app.add_option("--from", job.read.from, "FORMAT: force a reader")->option_text(" ");
 }
 
 void add_options(CLI::App& app, const Command& command, Options& options, Texts& texts) {
@@ -115,6 +118,7 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
         app.add_option("-o,--output", options.job.output, "OUT: the suffix says the format")
             ->option_text(" ");
     }
+    if (has(takes, Takes::Reading)) add_reading_options(app, options.job);
     if (has(takes, Takes::Model)) add_model_options(app, options.job, texts);
     if (has(takes, Takes::Json)) app.add_flag("--json", options.json, "Machine-readable, stable");
     if (has(takes, Takes::Place)) {
