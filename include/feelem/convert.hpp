@@ -5,6 +5,7 @@
 #include "feelem/diagnostics.hpp"
 #include "feelem/model.hpp"
 #include "feelem/read.hpp"
+#include "feelem/scene.hpp"
 #include "feelem/skin.hpp"
 
 #include <array>
@@ -85,5 +86,13 @@ std::optional<ModelReport> report_model(const Job& job, Diagnostics& diagnostics
 
 /// `feelem info --json`, version 1 (docs/cli.md), as text.
 std::string info_json(const ModelReport& report, const Diagnostics& diagnostics);
+
+/// `feelem check SCENE INPUT...`: reads the job's inputs again and compares every node's place and values and
+/// every triangle's element with the scene, bit for bit. Shares no code with the skin and the writing of
+/// scenes, and trusts no digest. Empty when cancelled. Throws Error when the inputs or the scene cannot be
+/// read.
+std::vector<Claim> check_against_inputs(
+    const std::string& scene_path, const Job& job, Diagnostics& diagnostics, const Progress& progress
+);
 
 }  // namespace feelem

@@ -62,7 +62,7 @@ struct SceneContents {
     std::function<SurfaceField(std::size_t result, std::size_t values)> load;
     Presentation presentation;  ///< Ranges resolved: lo and hi set on every result it uses.
     std::map<std::string, std::string>
-        notes;  ///< Facts for the certificate: "midside_interpolated" -> "5124".
+        notes;  ///< Facts for the certificate: "midside_interpolated" -> "5124", "skin" -> "exact".
 };
 
 struct SceneOptions {
@@ -82,6 +82,7 @@ struct ScenePart {
     std::string name;
     std::string kind;                             ///< solid shell beam point
     std::string domain;                           ///< node element-node
+    std::uint32_t model_part = 0;                 ///< Into Mesh::parts of the model.
     std::vector<std::array<float, 3>> positions;  ///< Model units minus origin.
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<std::int64_t> node_ids;     ///< Per vertex; 0 = none.
@@ -102,8 +103,9 @@ struct Scene {
     std::vector<Step> steps;
     std::vector<SceneResult> results;
     Presentation presentation;
-    std::vector<SceneField> fields;  ///< Filled by load_scene.
-    std::string extras_json;         ///< extras.feelem as written.
+    std::vector<SceneField> fields;            ///< Filled by load_scene.
+    std::map<std::string, std::string> notes;  ///< Of the certificate: "skin" -> "exact".
+    std::string extras_json;                   ///< extras.feelem as written.
 };
 /// Throws Error(BadScene) on anything that is not a scene of ours.
 Scene load_scene(const std::string& path);

@@ -30,6 +30,12 @@ void fill_extremes(
     }
 }
 
+/// As --skin names it; `check` with the inputs needs to know which facets to expect.
+const char* skin_note(SkinMethod method) {
+    if (method == SkinMethod::NodeList) return "node-list";
+    return method == SkinMethod::All ? "all" : "exact";
+}
+
 std::string scene_title(const Job& job, const ModelSource& source) {
     if (!job.title.empty()) return job.title;
     if (std::string title = source.title(); !title.empty()) return title;
@@ -81,6 +87,8 @@ void write_as_scene(Work& work) {
         {work.source.mesh(), surface, work.plan, store}, work.job.presentation_file, contents.title
     );
     contents.shown_step = choose_shown_step(work.plan, contents.presentation);
+    contents.notes["skin"] = skin_note(work.job.skin.method);
+    contents.notes["subdivide"] = std::to_string(work.job.skin.subdivide);
     if (store.interpolated() > 0) {
         contents.notes["midside_interpolated"] = std::to_string(store.interpolated());
     }

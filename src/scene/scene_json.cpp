@@ -158,6 +158,7 @@ void read_head(const json& feelem, SceneDocument& out) {
         out.vertices.push_back(count(part, "vertices"));
         out.triangles.push_back(count(part, "triangles"));
         out.model_parts.push_back(count(part, "modelPart"));
+        read.model_part = static_cast<std::uint32_t>(out.model_parts.back());
         scene.parts.push_back(std::move(read));
     }
     out.presentation_json = feelem.contains("presentation") ? feelem["presentation"].dump() : "{}";
@@ -329,6 +330,12 @@ SceneDocument read_document(const json& root) {
     read_steps(feelem, out);
     read_results(feelem, out);
     read_certificate(feelem, out.certificate);
+    if (const json& notes = need(feelem, "certificate");
+        notes.contains("notes") && notes["notes"].is_object()) {
+        for (const auto& [name, note] : notes["notes"].items()) {
+            if (note.is_string()) out.scene.notes.emplace(name, note.get<std::string>());
+        }
+    }
     return out;
 }
 

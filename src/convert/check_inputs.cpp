@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "convert/check_inputs.hpp"
+
+#include "convert/stage.hpp"
+
+#include "feelem/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace feelem {
+
+Claim Tally::claim() const {
+    const std::string all = fmt::format("{} of {} agree", compared, compared);
+    if (wrong == 0) return {name, all, all, true};
+    return {name, all, fmt::format("{} of {} agree; {}", compared - wrong, compared, first_wrong), false};
+}
+
+ElementTable::ElementTable(const Mesh& mesh) {
+    for (std::uint32_t i = 0; i < mesh.element_count(); ++i)
+        sorted_.emplace_back(raw(element_at(mesh, ElementIndex{i}).id()), i);
+    std::ranges::sort(sorted_);
+}
+
+ElementIndex ElementTable::operator()(std::int64_t id) const {
+    const auto found =
+        std::ranges::lower_bound(sorted_, id, {}, &std::pair<std::int64_t, std::uint32_t>::first);
+    return found == sorted_.end() || found->first != id ? kNoElement : ElementIndex{found->second};
+}
+
+namespace {
+
+/// Positions of vertices that stand at a node. Beams and points are drawn around theirs.
+Claim check_positions(const Mesh& mesh, const Scene& scene) {
+    Tally tally{"positions of the nodes"};
+    for (const ScenePart& part : scene.parts) {
+        if (part.kind != "solid" && part.kind != "shell") continue;
+        for (std::size_t v = 0; v < part.positions.size(); ++v) {
+            if (part.node_ids[v] == 0) continue;
+            const NodeIndex node = find_node(mesh, NodeId{part.node_ids[v]});
+            bool right = node != kNoNode;
+            for (std::size_t axis = 0; right && axis < 3; ++axis) {
+                const auto wanted =
+                    static_cast<float>(mesh.coordinates[raw(node)][axis] - scene.origin[axis]);
+                right = std::bit_cast<std::uint32_t>(wanted) ==
+                        std::bit_cast<std::uint32_t>(part.positions[v][axis]);
+            }
+            tally.count(right, [&] {
+                return fmt::format("node {} is elsewhere in the inputs", part.node_ids[v]);
+            });
+        }
+    }
+    return tally.claim();
+}
+
+/// The files are the ones that the scene was made of.
+void check_files(const ModelSource& source, const Scene& scene, std::vector<Claim>& claims) {
+    for (const InputRecord& input : source.inputs()) {
+        const bool known = scene.extras_json.find(input.sha256) != std::string::npos;
+        const std::string name = input.path.substr(input.path.find_last_of('/') + 1);
+        claims.push_back(
+            {"input " + name,
+             "an input of this scene",
+             known ? "an input of this scene" : "another file",
+             known}
+        );
+    }
+}
+
+}  // namespace
+
+std::vector<Claim> check_against_inputs(
+    const std::string& scene_path, const Job& job, Diagnostics& diagnostics, const Progress& progress
+) {
+    try {
+        const std::unique_ptr<ModelSource> source = open_job(job, diagnostics, progress);
+        if (!source) return {};
+        report_progress(progress, "scene", 0);
+        const Scene scene = load_scene(scene_path);
+        std::vector<Claim> claims;
+        check_files(*source, scene, claims);
+        claims.push_back(check_positions(source->mesh(), scene));
+        report_progress(progress, "triangles", 0);
+        for (Claim& claim : check_triangles(source->mesh(), scene)) claims.push_back(std::move(claim));
+        for (Claim& claim : check_values(*source, scene, progress)) claims.push_back(std::move(claim));
+        return claims;
+    } catch (const Cancelled&) {
+        return {};
+    }
+}
+
+}  // namespace feelem

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene against its inputs: what it holds is theirs, and a change is found although its digest was made
+// anew.
+#include "base/sha256.hpp"
+#include "scene/scene_file.hpp"
+#include "support/paths.hpp"
+
+#include "feelem/convert.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace feelem::test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Job job_of(const std::string& folder, std::initializer_list<const char*> files) {
+    Job job;
+    for (const char* file : files)
+        job.inputs.push_back(project_file("examples/boiler/" + folder + "/" + file));
+    job.length_unit = "mm";
+    return job;
+}
+
+std::string converted(Job job, const std::string& name) {
+    job.output = scratch_folder(name) + "/scene.glb";
+    Diagnostics diagnostics;
+    EXPECT_TRUE(convert(job, diagnostics, {}));
+    return job.output;
+}
+
+std::vector<std::string> broken_claims(const std::string& path, const Job& job) {
+    Diagnostics diagnostics;
+    std::vector<std::string> broken;
+    const std::vector<Claim> claims = check_against_inputs(path, job, diagnostics, {});
+    EXPECT_GT(claims.size(), 5u);
+    for (const Claim& claim : claims) {
+        if (!claim.holds) broken.push_back(claim.name + ": " + claim.found);
+    }
+    return broken;
+}
+
+/// A scene whose arrays can be changed; the certificate is told each time, so that its digests agree again.
+struct Forged {
+    std::string path, bytes;
+
+    Forged(const Job& job, const std::string& name)
+        : path(converted(job, "broken/" + name)), bytes(read_file(path)) {}
+    template <class T>
+    std::vector<T> get(const std::string& accessor) const {
+        const SceneFile file(path);
+        const std::vector<std::byte> packed = file.packed(file.find(accessor));
+        std::vector<T> values(packed.size() / sizeof(T));
+        std::memcpy(values.data(), packed.data(), packed.size());
+        return values;
+    }
+    template <class T>
+    void put(const std::string& accessor, const std::vector<T>& values) {
+        const SceneFile file(path);
+        const SceneDocument& document = file.document();
+        const ReadAccessor& read = document.accessors[static_cast<std::size_t>(file.find(accessor))];
+        const ReadView& view = document.views[static_cast<std::size_t>(read.accessor.view)];
+        const std::size_t json_size = bytes.find(std::string("BIN\0", 4), 12) - 4;
+        const std::size_t at = json_size + 8 + static_cast<std::size_t>(view.view.offset);
+        std::memcpy(bytes.data() + at, values.data(), values.size() * sizeof(T));
+        const std::string claim = "\"" + accessor + "\":\"";
+        const std::size_t digest = bytes.find(claim);
+        ASSERT_NE(digest, std::string::npos);
+        bytes.replace(digest + claim.size(), 64, sha256_hex(std::as_bytes(std::span(values))));
+        write_file(path, bytes);
+    }
+};
+
+const Job kFrd = job_of("hex_linear", {"heat.frd", "static.frd"});
+
+TEST(CheckInputs, scenes_of_the_boiler_agree_with_their_files) {
+    for (const auto& [name, job] : std::initializer_list<std::pair<const char*, Job>>{
+             {"agree_hex_linear", kFrd},
+             {"agree_small", job_of("small", {"heat.frd", "static.frd"})},
+         }) {
+        EXPECT_THAT(broken_claims(converted(job, name), job), IsEmpty()) << name;
+    }
+}
+
+TEST(CheckInputs, every_way_of_skinning_and_averaging_agrees) {
+    for (const SkinMethod method : {SkinMethod::Exact, SkinMethod::All}) {
+        for (const unsigned subdivide : {0u, 1u, 2u}) {
+            Job job = job_of("small", {"static.frd"});
+            job.skin.method = method;
+            job.skin.subdivide = subdivide;
+            EXPECT_THAT(broken_claims(converted(job, "agree_options"), job), IsEmpty()) << subdivide;
+        }
+    }
+}
+
+TEST(CheckInputs, find_a_changed_value_under_a_new_digest) {
+    Forged scene(kFrd, "forged_value");
+    std::vector<std::uint32_t> values = scene.get<std::uint32_t>("p0/_TEMPERATURE/1");
+    values[100] ^= 1u;
+    scene.put("p0/_TEMPERATURE/1", values);
+
+    EXPECT_THAT(broken_claims(scene.path, kFrd), Contains(HasSubstr("values of temperature at step 1")));
+}
+
+TEST(CheckInputs, find_a_change_in_any_value_of_a_field) {
+    Forged scene(kFrd, "forged_values");
+    const std::vector<float> whole = scene.get<float>("p0/_TEMPERATURE/1");
+    for (std::size_t i = 0; i < whole.size(); i += whole.size() / 11) {
+        std::vector<float> values = whole;
+        values[i] += 0.5F;
+        scene.put("p0/_TEMPERATURE/1", values);
+        EXPECT_THAT(broken_claims(scene.path, kFrd), Contains(HasSubstr("values of temperature"))) << i;
+    }
+}
+
+TEST(CheckInputs, find_a_dropped_triangle_under_a_new_digest) {
+    Forged scene(kFrd, "forged_triangle");
+    std::vector<std::uint16_t> indices = scene.get<std::uint16_t>("p0/indices");
+    for (std::size_t corner = 0; corner < 3; ++corner) indices[300 + corner] = indices[303 + corner];
+    scene.put("p0/indices", indices);
+
+    EXPECT_THAT(broken_claims(scene.path, kFrd), Contains(HasSubstr("triangles missing from the scene")));
+}
+
+TEST(CheckInputs, find_swapped_node_ids_under_a_new_digest) {
+    Forged scene(kFrd, "forged_nodes");
+    std::vector<float> ids = scene.get<float>("p0/_NODE_ID");
+    const auto first = std::ranges::find_if(ids, [](float id) { return id != 0; });
+    const auto second = std::find_if(first + 1, ids.end(), [&](float id) { return id != 0 && id != *first; });
+    std::iter_swap(first, second);
+    scene.put("p0/_NODE_ID", ids);
+
+    EXPECT_THAT(broken_claims(scene.path, kFrd), Contains(HasSubstr("positions of the nodes")));
+}
+
+TEST(CheckInputs, find_swapped_element_ids_under_a_new_digest) {
+    Forged scene(kFrd, "forged_elements");
+    std::vector<std::uint32_t> ids = scene.get<std::uint32_t>("p0/elements");
+    const auto other = std::ranges::find_if(ids, [&](std::uint32_t id) { return id != ids[0]; });
+    std::iter_swap(ids.begin(), other);
+    scene.put("p0/elements", ids);
+
+    const std::vector<std::string> broken = broken_claims(scene.path, kFrd);
+    EXPECT_THAT(broken, Contains(HasSubstr("triangles that the inputs do not have")));
+}
+
+TEST(CheckInputs, say_when_the_files_are_others) {
+    const std::string path = converted(kFrd, "agree_others");
+    const Job others = job_of("small", {"heat.frd", "static.frd"});
+
+    EXPECT_THAT(broken_claims(path, others), Contains(HasSubstr("input heat.frd: another file")));
+}
+
+}  // namespace
+}  // namespace feelem::test
