@@ -3,6 +3,7 @@
 
 #include "feelem/error.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
@@ -13,11 +14,25 @@
 
 namespace feelem {
 
+namespace {
+
+/// A file that has no name from the start, where the file system can; else one that loses its name at once.
+std::FILE* open_unnamed(const std::string& path) {
+    const std::size_t slash = path.find_last_of('/');
+    const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+    const int descriptor = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (descriptor >= 0) return fdopen(descriptor, "w+b");
+    const std::string name = path + ".tmp-" + std::to_string(getpid());
+    std::FILE* file = std::fopen(name.c_str(), "w+b");
+    if (file != nullptr) std::remove(name.c_str());
+    return file;
+}
+
+}  // namespace
+
 ScratchFile::ScratchFile(std::string path, Kind kind) : path_(std::move(path)) {
-    const std::string name = kind == Kind::Named ? path_ : path_ + ".bin.tmp-" + std::to_string(getpid());
-    file_ = std::fopen(name.c_str(), "w+b");
+    file_ = kind == Kind::Named ? std::fopen(path_.c_str(), "w+b") : open_unnamed(path_);
     if (file_ == nullptr) fail("create");
-    if (kind == Kind::Unnamed && std::remove(name.c_str()) != 0) fail("create");
 }
 
 ScratchFile::~ScratchFile() {
