@@ -5,7 +5,8 @@ import { readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+export const here = dirname(fileURLToPath(import.meta.url));
+export const root = join(here, '..', '..');
 export const require = createRequire(join(root, 'web', 'package.json'));
 
 /** All scenes below a folder, but for those in folders named "broken" and the server's, which only look like scenes. */
