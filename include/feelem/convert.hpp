@@ -24,7 +24,7 @@ namespace feelem {
 /// Told what is being done and how far it is (0..1), from the calling thread. Return false to cancel.
 using Progress = std::function<bool(std::string_view stage, double fraction)>;
 
-/// What to convert and how: cli.md's options.
+/// What to convert and how: docs/cli.md's options.
 struct Job {
     std::vector<std::string> inputs;
     std::string output;

@@ -10,7 +10,7 @@
 
 namespace feelem {
 
-/// Node order is the solvers' common one (decision 5): corners, then mid-side nodes as VTK orders its edges
+/// Node order is the solvers' common one (decision 6): corners, then mid-side nodes as VTK orders its edges
 /// (bottom, top, vertical). Triangle 0 1 2 of a wedge faces 3 4 5, so its normal points into the element.
 enum class ElementType : std::uint8_t {
     Point1,

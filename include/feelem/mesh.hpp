@@ -17,7 +17,7 @@ namespace feelem {
 
 using Point3 = std::array<double, 3>;
 
-/// What solver users call a body, component, property or material: README.md 15 says which it is per solver.
+/// What solver users call a body, component, property or material: decision 9 says which it is per solver.
 struct Part {
     std::string name;
 };
@@ -56,7 +56,7 @@ struct Mesh {
     std::vector<Part> parts;
     std::vector<NodeSet> node_sets;
     std::vector<ElementSet> element_sets;
-    /// Rotation of nodal coordinate systems (degrees about Z, X', Y''; formats-ansys.md 1.1); empty when
+    /// Rotation of nodal coordinate systems (degrees about Z, X', Y''; docs/formats/); empty when
     /// none.
     std::vector<std::array<float, 3>> node_angles;
     std::map<std::string, std::uint64_t> skipped_elements;  ///< Solver's type name -> rows without a surface.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Value -> colour, tone, tick, pulse (senses.md 6), and the presentation that says which result drives which.
+// Value -> colour, tone, tick, pulse (docs/effects.md), and the presentation: which result drives which.
 #pragma once
 
 #include <array>
@@ -166,10 +166,10 @@ struct Candidate {
     bool has_sign = false;     ///< Values on both sides of zero.
     bool mostly_zero = false;  ///< More than half of the values are exactly zero.
 };
-/// senses.md 6.7, 6.8: effects for the 1 to 4 most telling candidates; displacement also drives the shape.
+/// docs/effects.md 7: effects for the 1 to 4 most telling candidates; displacement also drives the shape.
 Presentation choose_presentation(std::span<const Candidate> candidates, std::string_view title);
 
-/// 0.05 x largest side / largest displacement (senses.md 3.3); 0 when there is no displacement.
+/// 0.05 x largest side / largest displacement (docs/effects.md 6); 0 when there is no displacement.
 double automatic_deformation_factor(double largest_side, double largest_displacement);
 
 }  // namespace feelem

@@ -73,7 +73,7 @@ enum class Shear : std::uint8_t {
 /// S1) is a component of the same result, by our name: magnitude von_mises tresca principal_1 principal_2
 /// principal_3.
 struct ResultInfo {
-    std::string name;         ///< cli.md: displacement temperature stress ...; else the label in lower case.
+    std::string name;  ///< docs/cli.md: displacement temperature stress ...; else the label in lower case.
     std::string solver_name;  ///< As written: DISP, U, NDTEMP.
     std::vector<std::string> components;
     std::string unit;        ///< Empty: unknown.
@@ -85,7 +85,7 @@ struct ResultInfo {
     Layer layer = Layer::No;
     Shear shear = Shear::NotApplicable;
     bool nodal_system = false;  ///< Components are in rotated nodal systems (Mesh::node_angles).
-    bool corner_only = false;   ///< The solver lists corner nodes only (PRNSOL,S): decision 16.
+    bool corner_only = false;   ///< The solver lists corner nodes only (PRNSOL,S): decision 0010.
 };
 
 /// Values as the solver gave them, rounded once to float; NaN = missing.

@@ -33,7 +33,7 @@ struct SceneValues {
 /// One result of the scene: as the solver gave it, or one derived scalar of it.
 struct SceneResult {
     std::string id;                       ///< Unique, [a-z0-9_]+: "temperature", "stress_von_mises".
-    std::string quantity;                 ///< cli.md's name: "stress".
+    std::string quantity;                 ///< docs/cli.md's name: "stress".
     std::string title;                    ///< For people: "von Mises stress".
     std::string source;                   ///< The solver's name: "STRESS".
     std::vector<std::string> components;  ///< {"value"}, {"x","y","z"}, {"von_mises"}, {"xx",...}.

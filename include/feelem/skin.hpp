@@ -10,7 +10,7 @@
 namespace feelem {
 
 enum class SkinMethod : std::uint8_t {
-    Exact,     ///< Facets owned by one solid only (decision 6).
+    Exact,     ///< Facets owned by one solid only (decision 0007).
     NodeList,  ///< The paper's node map.
     All,       ///< Every facet of every element.
 };
@@ -27,7 +27,7 @@ struct SkinOptions {
 Surface make_skin(const Mesh& mesh, const SkinOptions& options, Diagnostics& diagnostics);
 
 /// Bit for bit for vertices with a node; blended vertices by their weights; mid-side gaps of corner-only
-/// results filled and marked (decision 16). Elemental and element-nodal results need Domain::ElementNode.
+/// results filled and marked (decision 0010). Elemental and element-nodal results need Domain::ElementNode.
 SurfaceField carry(const Mesh& mesh, const Surface& surface, const Result& result);
 
 /// The paper's Fig. 4: bit i (lowest first) is 1 when node i of the element is not in the surface list.

@@ -79,7 +79,7 @@ struct Surface {
     SkinReport report;
 };
 
-/// Mask values of scene.md: 0 missing, 1 the solver's, 2 interpolated by us.
+/// Mask values of docs/scene-format.md: 0 missing, 1 the solver's, 2 interpolated by us.
 enum class Validity : std::uint8_t {
     Missing = 0,
     Solver = 1,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unaveraged results to one value a node: decision 15.
+// Unaveraged results to one value a node: decision 0009.
 #include "feelem/derive.hpp"
 
 #include <algorithm>

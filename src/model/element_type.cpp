@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // THE table: one row for each element type. Facets are outward by the right hand, corners first, then
 // mid-side nodes in the order of the facet's own type. Sources: VTK's cell classes for the order of mid-side
-// nodes; the solvers' common corner order (triangle 0 1 2 of a wedge faces 3 4 5), as decision 0007 says.
+// nodes; the solvers' common corner order (triangle 0 1 2 of a wedge faces 3 4 5), as decision 0006 says.
 #include "feelem/element_type.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which result drives which sense when nobody has said so (senses.md 6.7, 6.8).
+// Which result drives which sense when nobody has said so (docs/effects.md 7).
 // Must: one result a slot, never two tones. Algorithm: one component of each result, the most telling four;
 // the first of them that suits it is seen; each other takes the first free slot of its kind's list.
 #include "feelem/present.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a value lies in its range (senses.md 6.1): the one number that all senses share.
+// Where a value lies in its range (docs/effects.md 1): the one number that all senses share.
 #include "feelem/present.hpp"
 
 #include <algorithm>

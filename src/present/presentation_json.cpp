@@ -143,7 +143,7 @@ const PresentedResult& result_of(const Presentation& presentation, const Node& k
     return *result;
 }
 
-/// Rules R1, R4 and R7 of senses.md 6.8.
+/// One result a slot, no two tones, one limit: docs/effects.md 7.
 void check_rules(const Presentation& presentation, const Node& root) {
     const auto effects = root["effects"].items();
     for (std::size_t i = 0; i < effects.size(); ++i) {
@@ -389,7 +389,7 @@ void write_items(
     document[key] = std::move(items);
 }
 
-/// What a document holds besides results and effects when nobody has said otherwise (senses.md 6.10).
+/// What a document holds besides results and effects when nobody has said otherwise (docs/effects.md 8).
 constexpr const char* kFreshDocument = R"({
     "format": "feelem-presentation", "version": 1, "title": "", "results": [], "effects": [],
     "events": {"limit": true, "bandEdges": false, "extremes": true, "noData": true},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Value -> ticks a second for the ear, pulses a second and their strength for the hand (senses.md 6.2, 6.6).
+// Value -> ticks a second for the ear, pulses a second and their strength for the hand (docs/effects.md 4,
+// 5).
 #include "feelem/present.hpp"
 
 #include <cmath>

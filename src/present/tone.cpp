@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Value -> pitch of a tone that is equally loud everywhere (senses.md 6.2).
+// Value -> pitch of a tone that is equally loud everywhere (docs/effects.md 3).
 #include "feelem/present.hpp"
 
 #include <algorithm>

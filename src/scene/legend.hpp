@@ -10,7 +10,7 @@
 
 namespace feelem {
 
-/// scene.md "Colour": below | palette | above in row 0, the missing colour in the rows below.
+/// docs/scene-format.md "Colour": below | palette | above in row 0, the missing colour in the rows below.
 Picture palette_picture(const ColourEffect& effect);
 
 struct LegendText {

@@ -32,7 +32,7 @@ double text_width(std::string_view text, const TextStyle& style);
 /// Left end and baseline.
 void draw_text(Picture& picture, double x, double baseline, std::string_view text, const TextStyle& style);
 
-/// 8 bit RGB without colour chunks, as scene.md wants palettes.
+/// 8 bit RGB without colour chunks, as docs/scene-format.md wants palettes.
 std::string png_bytes(const Picture& picture);
 
 }  // namespace feelem

@@ -21,7 +21,7 @@ double magnitude_of(const ValueRange& range) {
     return std::max(std::abs(range.lo), std::abs(range.hi));
 }
 
-/// The axis on which a scale is even (senses.md 6.1), and back.
+/// The axis on which a scale is even (docs/effects.md 1), and back.
 double to_axis(double value, const ValueRange& range) {
     const double most = magnitude_of(range);
     switch (scale_of(range)) {

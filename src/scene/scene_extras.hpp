@@ -11,7 +11,7 @@ namespace feelem {
 std::string extras_text(const SceneBuild& build);
 std::string certificate_text(const SceneBuild& build);
 
-/// Words of scene.md where they differ from cli.md's.
+/// Words of docs/scene-format.md where they differ from docs/cli.md's.
 std::string_view scene_location(Location location);
 std::string_view scene_kind(PartKind kind);
 std::string_view scale_word(Scale scale);

@@ -19,7 +19,7 @@ inline constexpr std::size_t kCentre = 8;
 using FacetTriangle = std::array<std::uint8_t, 3>;
 
 /// A triangle stays whole or is cut through its middles into 4; a quad is cut round its centre into 4, or 8
-/// with middles (cli.md).
+/// with middles (docs/cli.md).
 std::span<const FacetTriangle> pattern_of(const Outline& facet) noexcept;
 /// The triangles of the pattern that lie along side `side`.
 std::span<const std::uint8_t> pattern_along(const Outline& facet, std::size_t side) noexcept;

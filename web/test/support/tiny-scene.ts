@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small bar as a scene by the contract of scene.md, with values that tests can compute by formula.
+// A small bar as a scene by the contract of docs/scene-format.md, with values that tests can compute by formula.
 
 export interface TinyOptions {
   /** Step 2 goes into tiny.d/*.bin beside the scene. */
