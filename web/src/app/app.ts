@@ -18,8 +18,9 @@ import { Player } from "./player";
 import { PIN, Probing } from "./probing";
 import { Senses } from "./senses";
 import { fitModel, inSight, lookFrom, turnTo } from "./sight";
+import { type Arrow, neighbourPlace } from "./step-pin";
 import { Store, type ViewState } from "./store";
-import { applyTheme } from "./theme";
+import { applyTheme, followSystem } from "./theme";
 import { ViewModels } from "./view-models";
 import { VrEntry } from "./vr-entry";
 
@@ -73,6 +74,7 @@ export class App implements ApiSource {
     this.store.subscribe((state, before) => this.#stateChanged(state, before));
     this.stage.onFrame(() => this.#frame());
     applyTheme(this.store.state.theme, this.stage);
+    followSystem(() => applyTheme(this.store.state.theme, this.stage));
   }
 
   async start(): Promise<void> {
@@ -127,6 +129,13 @@ export class App implements ApiSource {
     else this.probing.remove(PIN);
     if (place) turnTo(this.stage, this.view, place);
     this.#invalidate();
+  }
+
+  stepPin(arrow: Arrow): void {
+    const from = this.probing.pinned?.place;
+    const start = this.probing.current()?.place ?? this.#extremes[0]?.place ?? null;
+    const to = from ? neighbourPlace(this.view, this.stage, from, arrow) : start;
+    if (to) this.pin(to);
   }
 
   #attachPointer(): void {

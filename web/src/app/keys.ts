@@ -20,6 +20,16 @@ export function keyCommands(actions: Actions, hold: (on: boolean) => void): KeyC
     { keys: ["m"], shown: "M", text: "mute", down: () => actions.toggle("sound") },
     { keys: ["v"], shown: "V", text: "touch on, off", down: () => actions.toggle("touch") },
     { keys: ["g"], shown: "G", text: "go to an id", down: focusSearch },
+    {
+      keys: ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
+      shown: "← → ↑ ↓",
+      text: "to the next node that way",
+      down: (key) =>
+        actions.stepPin(
+          Number(key === "ArrowRight") - Number(key === "ArrowLeft"),
+          Number(key === "ArrowDown") - Number(key === "ArrowUp"),
+        ),
+    },
     { keys: ["t"], shown: "T", text: "dark, light", down: () => actions.cycleTheme() },
     { keys: ["Escape"], shown: "Esc", text: "let go of the pin", down: () => actions.unpin() },
   ];

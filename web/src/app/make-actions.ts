@@ -29,6 +29,7 @@ export function makeActions(app: App, player: Player): Actions {
     view: (name) => app.lookFrom(name),
     goTo: (kind, id) => app.goTo(kind, id),
     unpin: () => app.pin(null),
+    stepPin: (right, down) => app.stepPin([right, down]),
     enterVr: () => void app.enterVr(),
     dismissProblem: () => store().set({ problem: null }),
   };

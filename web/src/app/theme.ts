@@ -15,6 +15,13 @@ export function rememberedTheme(): ViewState["theme"] {
   }
 }
 
+/** While nobody has chosen, the page follows the system as it changes. Returns its own removal. */
+export function followSystem(changed: () => void): () => void {
+  const query = matchMedia("(prefers-color-scheme: dark)");
+  query.addEventListener("change", changed);
+  return () => query.removeEventListener("change", changed);
+}
+
 export function applyTheme(theme: ViewState["theme"], stage: Stage): void {
   const dark = theme === "dark" || (theme === "auto" && matchMedia("(prefers-color-scheme: dark)").matches);
   document.documentElement.dataset.theme = dark ? "dark" : "light";

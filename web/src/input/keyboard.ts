@@ -5,7 +5,7 @@ export interface KeyCommand {
   readonly keys: readonly string[];
   readonly text: string;
   readonly shown: string;
-  readonly down: () => void;
+  readonly down: (key: string) => void;
   readonly up?: () => void;
 }
 
@@ -20,13 +20,14 @@ export function attachKeyboard(commands: readonly KeyCommand[]): () => void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target instanceof Element ? event.target : null;
     if (target?.matches(TYPING)) return;
+    if (event.key.startsWith("Arrow") && target?.matches("input, summary")) return;
     if (event.key === " " && target?.closest("button, summary, [role=button]")) return;
     const command = find(event.key);
     if (!command) return;
     event.preventDefault();
     if (event.repeat && command.up) return;
     if (command.up) held.set(event.key.toLowerCase(), command);
-    command.down();
+    command.down(event.key);
   };
   const up = (event: KeyboardEvent) => {
     const key = event.key.toLowerCase();

@@ -23,6 +23,8 @@ export interface Actions {
   view(name: ViewName): void;
   goTo(kind: "node" | "element", id: number): void;
   unpin(): void;
+  /** To the next node that way on the screen; the first press takes the pointer's place, or the largest value's. */
+  stepPin(right: number, down: number): void;
   enterVr(): void;
   dismissProblem(): void;
 }

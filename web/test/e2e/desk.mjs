@@ -337,6 +337,59 @@ export const deskTests = [
     },
   },
   {
+    name: "arrow_keys_walk_from_node_to_node",
+    async run({ browser, url, scene }) {
+      const { page, context } = await openPage(browser, url);
+      const { positions, nodeIds } = scene.parts[0];
+      const at = (x, y, z) =>
+        nodeIds.find((n, i) => n > 0 && [x, y, z].every((c, k) => Math.abs(positions[3 * i + k] - c) < 1e-3));
+      const start = at(50, 20, 30);
+      await page.fill(".goto input", String(start));
+      await page.keyboard.press("Enter");
+      await until(page, probe, (r) => r?.nodeId === start, "the first node");
+      await page.click("h1");
+      await page.locator(".area-stage canvas").focus();
+      await page.keyboard.press("ArrowRight");
+      const next = await until(page, probe, (r) => r && r.nodeId !== start, "its neighbour");
+      assert.equal(next.nodeId, at(60, 20, 30));
+      await page.keyboard.press("ArrowLeft");
+      await until(page, probe, (r) => r?.nodeId === start, "the way back");
+      await page.keyboard.down("s");
+      await until(page, listen, (h) => h.level > 0.002, "the pinned node is heard");
+      await page.keyboard.up("s");
+      await until(page, listen, (h) => h.level < 1e-4, "silence");
+      await context.close();
+    },
+  },
+  {
+    name: "page_says_when_there_is_no_scene_or_not_one_of_ours",
+    async run({ browser, serveTiny }) {
+      for (const [bytes, word] of [
+        [null, "404"],
+        [new TextEncoder().encode("solid ascii"), "not a scene"],
+        [new TextEncoder().encode("{}{}{}{}{}{}"), "JSON"],
+        [new TextEncoder().encode('{"asset":{"version":"2.0"}}'), "not a Feelem scene"],
+      ]) {
+        const { url, files, close } = await serveTiny({});
+        if (bytes) files.set("scene.glb", bytes);
+        else files.delete("scene.glb");
+        const page = await browser.newPage();
+        await page.goto(url);
+        const reason = await page.evaluate(() =>
+          window.feelem.ready.then(
+            () => "",
+            (error) => error.message,
+          ),
+        );
+        assert.ok(reason.includes(word), reason);
+        assert.ok((await page.locator(".banner").textContent()).includes(word));
+        assert.equal(await page.evaluate(() => window.feelem.scene()), null);
+        await page.close();
+        await close();
+      }
+    },
+  },
+  {
     name: "page_api_is_read_only",
     async run({ browser, url }) {
       const { page, context } = await openPage(browser, url);

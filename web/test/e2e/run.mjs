@@ -11,6 +11,7 @@ import { programTests } from "./program.mjs";
 import { serve } from "./server.mjs";
 import { vrTests } from "./vr.mjs";
 
+const LIMIT_SECONDS = 180;
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const wanted = process.argv[2] ?? "";
 if (!existsSync(`${root}/dist/index.html`) || process.env.FEELEM_E2E_BUILD) {
@@ -27,6 +28,14 @@ async function serveTiny(options) {
   for (const [uri, bytes] of made.side) files.set(uri, new Uint8Array(bytes));
   return { ...(await serve(files)), bytes: made.glb, files };
 }
+/** A test that hangs fails; it does not keep everybody waiting. */
+function inTime(running) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`no end after ${LIMIT_SECONDS} s`)), LIMIT_SECONDS * 1000);
+  });
+  return Promise.race([running, late]).finally(() => clearTimeout(timer));
+}
 const given = { browser, url: server.url, scene: readScene(glb), serveTiny };
 let passed = 0;
 let failed = 0;
@@ -40,7 +49,7 @@ for (const { name, run, skip } of [...deskTests, ...vrTests, ...programTests]) {
   }
   const start = Date.now();
   try {
-    await run(given);
+    await inTime(run(given));
     passed += 1;
     console.log(`ok    ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)`);
   } catch (error) {
