@@ -310,7 +310,13 @@ export const deskTests = [
       const entry = report.results.find((e) => e.key === "S");
       assert.deepEqual([entry.value, entry.nodeValue, entry.state], [null, null, "missing"]);
       assert.deepEqual([report.colour, report.hz, report.gain], ["#808080", 0, 0]);
-      assert.ok((await page.locator(".card").textContent()).includes("no value"));
+      // The card is drawn with the next frame.
+      await until(
+        page,
+        () => document.querySelector(".card").textContent,
+        (t) => t.includes("no value"),
+        "the word",
+      );
       await context.close();
     },
   },
