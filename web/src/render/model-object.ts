@@ -166,11 +166,12 @@ export class ModelObject {
     this.#edgesWanted = wanted;
   }
 
-  /** Edges fade out between 6 and 2 pixels an element; `pixelSize` is metres a pixel at the model. */
+  /** Edges fade out from 20 to 2 pixels a segment, so that a fine mesh seen whole shows its colours, not its
+   * lines; `pixelSize` is metres a pixel at the model. */
   fadeEdges(pixelSize: number): void {
     const scale = scratchScale.setFromMatrixScale(this.group.matrixWorld).x;
     const pixels = pixelSize > 0 ? (this.#typicalEdge * scale) / pixelSize : 0;
-    const share = Math.min(Math.max((pixels - 2) / 4, 0), 1);
+    const share = Math.min(Math.max((pixels - 2) / 18, 0), 1);
     this.edgeMaterial.setOpacity(this.#edgesWanted ? 0.55 * share : 0);
   }
 
