@@ -170,6 +170,14 @@ std::unique_ptr<ModelSource> open_job(const Job& job, Diagnostics& diagnostics, 
         if (unit) source->declare_length_unit(*unit);
         source->declare_units(job.units);
         source->leave_out(find_twins(*source, progress));
+        for (const ResultInfo& info : source->results()) {
+            if (!info.nodal_system || source->mesh().node_angles.empty()) continue;
+            diagnostics.add(
+                Code::NodalSystemRotated,
+                "",
+                fmt::format("{} stands in rotated nodal systems; shown in the global one", info.solver_name)
+            );
+        }
         if (!source->mesh().length_unit) {
             diagnostics.add(
                 Code::UnitsUnknown,

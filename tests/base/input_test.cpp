@@ -8,6 +8,7 @@
 
 #include "feelem/error.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,6 +31,16 @@ TEST(Input, a_missing_file_is_an_error_with_its_name) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), Code::FileNotFound);
         EXPECT_EQ(error.where(), "/nowhere/at/all.frd");
+    }
+}
+
+TEST(Input, a_folder_is_no_file_to_read) {
+    try {
+        Input::from_file(test::scratch_folder("input_folder"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::FileUnreadable);
+        EXPECT_THAT(error.what(), testing::HasSubstr("not a regular file"));
     }
 }
 

@@ -137,11 +137,13 @@ TEST(Collapse, the_20_node_rows_that_ansys_writes_keep_their_mid_side_nodes) {
     for (const EdgeRow& edge : edges_of(ElementType::Tet10)) EXPECT_NE(small->nodes[edge.middle], kNoNode);
 }
 
-TEST(Collapse, a_quad_with_its_last_node_repeated_is_a_triangle) {
+TEST(Collapse, a_quad_with_its_last_node_repeated_is_a_triangle_and_reported) {
+    Diagnostics diagnostics;
     const Mesh mesh =
-        test::tiny_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{ElementType::Quad4, {1, 2, 3, 3}}});
+        test::tiny_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{ElementType::Quad4, {1, 2, 3, 3}}}, diagnostics);
 
     EXPECT_EQ(mesh.blocks.at(0).type, ElementType::Tri3);
+    EXPECT_EQ(diagnostics.count(Code::DegenerateElement), 1U);
 }
 
 TEST(NodeLookup, finds_ids_whether_dense_or_sparse) {
