@@ -84,7 +84,7 @@ constexpr std::array kTable{
         Code::GuessedElementType,
         "guessed_element_type",
         Severity::Warning,
-        "No type table was given: the shape was concluded from the node count and the geometry."},
+        "No type table was given, or it does not fit: the shape was concluded from node count and geometry."},
     CodeInfo{
         Code::SkippedElement,
         "skipped_element",

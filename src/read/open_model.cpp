@@ -99,9 +99,7 @@ Sorted sort_by_format(std::span<const Input> inputs, const ReadOptions& options,
         if (format == nullptr) {
             if (unknown.empty()) unknown = input.name();
             diagnostics.add(
-                Code::UnknownBlock,
-                input.name(),
-                fmt::format("{}: no reader recognises this file; it is left out", input.name())
+                Code::UnknownBlock, input.name(), "no reader recognises this file; it is left out"
             );
             continue;
         }
@@ -113,12 +111,13 @@ Sorted sort_by_format(std::span<const Input> inputs, const ReadOptions& options,
         throw Error(
             Code::UnknownFormat,
             unknown,
-            inputs.empty() ? "there are no files to read"
-                           : fmt::format(
-                                 "no reader recognises the content of {}. Readers: {}; --from forces one.",
-                                 inputs.size() == 1 ? "this file" : "any of the files",
-                                 known_formats()
-                             )
+            inputs.empty()
+                ? "there are no files to read: folders are searched for files, not for further folders"
+                : fmt::format(
+                      "no reader recognises the content of {}. Readers: {}; --from forces one.",
+                      inputs.size() == 1 ? "this file" : "any of the files",
+                      known_formats()
+                  )
         );
     }
     return sorted;

@@ -191,6 +191,13 @@ void tell(const SkinReport& report, Diagnostics& diagnostics) {
         "sides are kept");
 }
 
+std::string why_nothing_is_drawn(const Mesh& mesh) {
+    if (mesh.element_count() > 0) return "no element has a surface that could be drawn";
+    return "the inputs list no elements: values alone cannot be drawn. Add the files of the same model that "
+           "list "
+           "its elements and nodes (Ansys: ELIST and NLIST,ALL,,,COORD).";
+}
+
 }  // namespace
 
 Surface make_skin(const Mesh& mesh, const SkinOptions& options, Diagnostics& diagnostics) {
@@ -214,8 +221,7 @@ Surface make_skin(const Mesh& mesh, const SkinOptions& options, Diagnostics& dia
     tell(report, diagnostics);
     draw_facets(mesh, drawn, {options.crease_angle, 1U << std::max(options.subdivide, 1U)}, surface);
     add_glyphs(mesh, surface, diagnostics);
-    if (surface.triangles.empty())
-        throw Error(Code::NoElements, "", "no element has a surface that could be drawn");
+    if (surface.triangles.empty()) throw Error(Code::NoElements, "", why_nothing_is_drawn(mesh));
     return surface;
 }
 

@@ -257,6 +257,15 @@ TEST(ElementLists, orientation_and_extra_nodes_are_no_geometry) {
     EXPECT_EQ(opened.model->mesh().blocks[0].type, ElementType::Line2);
 }
 
+TEST(ElementLists, a_type_with_fewer_nodes_than_listed_is_warned_of) {
+    const auto shells = open_texts({kBrickNodes, kElementHead + element("1 2 3 4 5 6 7 8")}, "1=SHELL63");
+    EXPECT_THAT(
+        text_of(*shells.diagnostics, Code::GuessedElementType), HasSubstr("list 8 nodes, but SHELL63 has 4")
+    );
+    const auto bricks = open_texts({kBrickNodes, kElementHead + element("1 2 3 4 5 6 7 8")}, "1=SOLID185");
+    EXPECT_EQ(text_of(*bricks.diagnostics, Code::GuessedElementType), "");
+}
+
 TEST(ElementLists, contact_and_surface_effect_are_counted_by_name) {
     const auto opened = open_texts(
         {kBrickNodes,

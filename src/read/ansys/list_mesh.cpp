@@ -98,6 +98,7 @@ public:
             leave_out(row, type, where);
             return;
         }
+        warn_of_extra_nodes(row, type, where);
         for (std::size_t i = 0; i < shape->nodes; ++i) nodes_[i] = NodeId{row.nodes[i]};
         builder_.add_element(
             ElementId{row.id},
@@ -167,6 +168,30 @@ private:
                                     : fmt::format("{} nodes make no such element", row.nodes.size());
         diagnostics_.add(
             Code::UnknownElementType, where, fmt::format("{} elements are left out: {}", name, why)
+        );
+    }
+
+    /// Beams list a node more, that of their orientation. A solid or a shell that does is of another type.
+    void warn_of_extra_nodes(
+        const ElementRowIds& row, const TypeShape& type, const MeshBuilder::Where& where
+    ) {
+        if (!type.element || type.element->kind == ElementKind::Line ||
+            type.element->kind == ElementKind::MeshOnly)
+            return;
+        const std::size_t most = element_row(type.element->type).node_count;
+        if (row.nodes.size() <= most) return;
+        diagnostics_.add(
+            Code::GuessedElementType,
+            where,
+            fmt::format(
+                "elements of type {} list {} nodes, but {} has {}: the others are not used. Does the type "
+                "list "
+                "(--types, ETLIST) belong to these elements?",
+                row.type,
+                row.nodes.size(),
+                type.element->name,
+                most
+            )
         );
     }
 
