@@ -163,7 +163,7 @@ TEST(OpenModel, a_folder_is_its_files_and_strangers_are_named) {
     EXPECT_EQ(model->inputs()[0].path, folder + "/b.frd");
     ASSERT_EQ(diagnostics.entries().size(), 1U);
     EXPECT_EQ(diagnostics.entries()[0].code, Code::UnknownBlock);
-    EXPECT_THAT(diagnostics.entries()[0].text, HasSubstr("a.txt"));
+    EXPECT_THAT(diagnostics.entries()[0].where, HasSubstr("a.txt"));
 }
 
 TEST(TextEncoding, utf16_of_either_byte_order_and_marked_utf8_become_plain_utf8) {
