@@ -41,6 +41,11 @@ private:
 
 /// Every triangle against the facets of the model, found by sorting all of them.
 std::vector<Claim> check_triangles(const Mesh& mesh, const Scene& scene);
+/// Range over the model, location, averaging and shear of one result at one step. `result` has its
+/// components.
+void count_statements(
+    const Mesh& mesh, const Result& result, const SceneResult& scene, const SceneValues& values, Tally& tally
+);
 /// Every field against the model's results.
 std::vector<Claim> check_values(ModelSource& source, const Scene& scene, const Progress& progress);
 

@@ -256,11 +256,15 @@ struct ValueCheck {
     std::vector<CentreCheck> centres{};
     std::optional<MiddleTable> middles{};
 
-    Tally compare(const Result& result, std::size_t scene_result, std::size_t step, const std::string& name) {
+    Tally compare(
+        const Result& result, std::size_t scene_result, std::size_t values, const std::string& name
+    ) {
         if (result.info.corner_only && !middles) middles = middles_of(source.mesh());
         static const MiddleTable kNone;
         const RowTable rows(result);
         Tally tally{name};
+        const SceneResult& said = scene.results[scene_result];
+        const std::size_t step = said.values[values].step;
         for (std::size_t p = 0; p < scene.parts.size(); ++p) {
             const auto field = std::ranges::find_if(scene.fields, [&](const SceneField& one) {
                 return one.result == scene_result && one.step == step && one.part == p;
@@ -289,6 +293,7 @@ struct ValueCheck {
             }
             check_centres(centres[p], *field, result.component_count(), tally);
         }
+        count_statements(source.mesh(), result, said, said.values[values], tally);
         return tally;
     }
     /// A part without accessor has no value of that result in the inputs either.
@@ -317,7 +322,7 @@ struct ValueCheck {
             const auto picked =
                 with_components(load_prepared(source, i, wanted.averaging), wanted.components);
             if (!picked) continue;
-            const Tally tally = compare(*picked, scene_result, step, name);
+            const Tally tally = compare(*picked, scene_result, values, name);
             if (!best || tally.wrong == 0) best = tally;
             if (tally.wrong == 0) break;
         }

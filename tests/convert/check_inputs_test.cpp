@@ -190,6 +190,23 @@ TEST(CheckInputs, find_swapped_element_ids_under_a_new_digest) {
     EXPECT_THAT(broken, Contains(HasSubstr("triangles that the inputs do not have")));
 }
 
+TEST(CheckInputs, find_a_changed_range_over_the_model) {
+    const std::string path = converted(kFrd, "broken/forged_range");
+    const std::string whole = read_file(path);
+    const std::size_t first = whole.find(R"("min":{"value":)", whole.find(R"("id":"temperature")"));
+    for (const std::string word : {R"("missing":)", R"("min":{"value":)", R"("max":{"value":)"}) {
+        const std::size_t before = word.starts_with(R"("mi)") ? whole.rfind(word, first) : std::string::npos;
+        const std::size_t at = before == std::string::npos ? whole.find(word, first) : before;
+        ASSERT_NE(at, std::string::npos) << word;
+        std::string bytes = whole;
+        char& digit = bytes[at + word.size()];
+        digit = digit == '1' ? '2' : '1';
+        write_file(path, bytes);
+        EXPECT_THAT(broken_claims(path, kFrd), Contains(HasSubstr("values of temperature at step 1")))
+            << word;
+    }
+}
+
 TEST(CheckInputs, say_when_the_files_are_others) {
     const std::string path = converted(kFrd, "agree_others");
     const Job others = job_of("small", {"heat.frd", "static.frd"});
