@@ -15,6 +15,9 @@ void print_place(const ProbedPlace& place) {
     fmt::print("Part     {}\n", place.part);
     fmt::print("Element  {}\n", place.element_id);
     fmt::print("Node     {}\n", place.node_id ? std::to_string(*place.node_id) : "none");
+    if (const auto& step = place.step) {
+        fmt::print("Step     {}.{}, {} {:g}\n", step->step, step->substep, word(step->kind), step->value);
+    }
     for (const ProbedValue& value : place.results) {
         const std::string name = value.component == "value" ? value.name : value.name + " " + value.component;
         const std::string number = value.value ? fmt::format("{:.7g}", *value.value) : "no value";

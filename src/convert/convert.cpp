@@ -81,6 +81,23 @@ std::vector<std::size_t> only_last(const ScenePlan& plan, std::vector<std::size_
     return results;
 }
 
+void report_left_out(const Job& job, const ScenePlan& plan, Diagnostics& diagnostics) {
+    if (plan.steps.size() < 2) return;
+    const Step& written = plan.steps.back();
+    diagnostics.add(
+        Code::StepsLeftOut,
+        job.output,
+        fmt::format(
+            "the file holds one step, {}.{} ({} {:g}); steps that were left out: {}. --steps names another",
+            written.step,
+            written.substep,
+            word(written.kind),
+            written.value,
+            plan.steps.size() - 1
+        )
+    );
+}
+
 void run(const Job& job, Diagnostics& diagnostics, const Progress& progress) {
     const OutputKind kind = output_kind(job.output);
     check_output(job);
@@ -90,6 +107,7 @@ void run(const Job& job, Diagnostics& diagnostics, const Progress& progress) {
     auto results = select_results(*source, steps, job.results);
     Work work{job, diagnostics, progress, *source, plan_scene(*source, steps, results, job.average)};
     if (kind == OutputKind::Glb || kind == OutputKind::Gltf) return write_as_scene(work);
+    report_left_out(job, work.plan, diagnostics);
     results = only_last(work.plan, std::move(results));
     work.plan = plan_scene(*source, steps, results, job.average);
     if (kind == OutputKind::Ply) return write_as_ply(work);

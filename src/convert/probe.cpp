@@ -187,6 +187,7 @@ ProbedPlace read_place(const Scene& scene, const Place& place) {
     std::vector<const SceneResult*> results;
     for (const SceneResult& result : scene.results) results.push_back(&result);
     const std::size_t step = shown_step(scene);
+    if (step < scene.steps.size()) out.step = scene.steps[step];
     std::set<std::pair<std::size_t, std::size_t>> done;
     for (const PresentedResult& shown : scene.presentation.results) {
         const auto target = find_presented(results, shown);

@@ -159,6 +159,7 @@ Json place_json(const ProbedPlace& place) {
         {"elementId", place.element_id},
         {"nodeId", or_null(place.node_id)},
         {"distance", number(place.distance)},
+        {"step", place.step ? step_json(*place.step) : Json(nullptr)},
         {"results", Json::array()}};
     for (const ProbedValue& value : place.results) {
         json["results"].push_back(
