@@ -98,8 +98,13 @@ Sorted sort_by_format(std::span<const Input> inputs, const ReadOptions& options,
         const ReadFormat* format = forced != nullptr ? forced : surest_format(text);
         if (format == nullptr) {
             if (unknown.empty()) unknown = input.name();
+            // Named in the text too: entries of one text are counted together.
             diagnostics.add(
-                Code::UnknownBlock, input.name(), "no reader recognises this file; it is left out"
+                Code::UnknownBlock,
+                input.name(),
+                fmt::format(
+                    "{} is left out: no reader recognises it", fs::path(input.name()).filename().string()
+                )
             );
             continue;
         }

@@ -255,14 +255,23 @@ void check_extremes(Check& check) {
     check.compare("results with a claim", check.certificate().results.size(), claimed);
 }
 
-/// The whole model's range holds all that the skin shows.
+/// The certificate's range over the model is the one that the scene lists, and holds all that the skin shows.
 void check_ranges(Check& check) {
     const Scene& scene = check.file.document().scene;
+    const auto text = [](const auto& min, const auto& max, std::uint64_t missing) {
+        return fmt::format("{} to {}, {} missing", text_of(min), text_of(max), missing);
+    };
     for (const CertificateResult& claim : check.certificate().results) {
         const auto result = std::ranges::find(scene.results, claim.result, &SceneResult::id);
-        if (result == scene.results.end() || !claim.skin.min || !claim.skin.max) continue;
+        if (result == scene.results.end()) continue;
         const auto values = std::ranges::find(result->values, claim.step - 1, &SceneValues::step);
-        if (values == result->values.end() || !values->min || !values->max) continue;
+        if (values == result->values.end()) continue;
+        check.compare(
+            fmt::format("range over the model of {} at step {}", claim.result, claim.step),
+            text(claim.model_min, claim.model_max, claim.model_missing),
+            text(values->min, values->max, values->missing_in_model)
+        );
+        if (!claim.skin.min || !claim.skin.max || !values->min || !values->max) continue;
         const bool holds =
             values->min->value <= claim.skin.min->value && values->max->value >= claim.skin.max->value;
         check.claims.push_back(

@@ -302,7 +302,13 @@ void read_certificate(const json& feelem, CertificateClaims& out) {
         out.facets_dropped += count(dropped, why);
     for (const json& entry : list(certificate, "results")) {
         const json& on_skin = need(entry, "skin");
-        CertificateResult claim{text(entry, "result"), static_cast<std::size_t>(count(entry, "step")), {}};
+        CertificateResult claim;
+        claim.result = text(entry, "result");
+        claim.step = static_cast<std::size_t>(count(entry, "step"));
+        const json& over_model = need(entry, "model");
+        claim.model_min = read_extreme(over_model, "min");
+        claim.model_max = read_extreme(over_model, "max");
+        claim.model_missing = count(over_model, "missing");
         claim.skin.min = read_extreme(on_skin, "min");
         claim.skin.max = read_extreme(on_skin, "max");
         claim.skin.missing = count(on_skin, "missing");

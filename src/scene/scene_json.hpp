@@ -39,6 +39,8 @@ struct CertificateResult {
     std::string result;
     std::size_t step = 0;  ///< Id.
     CertificateSkin skin;
+    std::optional<Extreme> model_min, model_max;
+    std::uint64_t model_missing = 0;
 };
 /// The claims that can be recomputed from the scene alone.
 struct CertificateClaims {

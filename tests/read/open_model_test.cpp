@@ -156,12 +156,14 @@ TEST(OpenModel, a_folder_is_its_files_and_strangers_are_named) {
         folder + "/b.frd", test::read_file(test::project_file("tests/data/calculix/static.frd"))
     );
     test::write_file(folder + "/a.txt", "Two roads diverged in a yellow wood\n");
+    test::write_file(folder + "/c.txt", "And sorry I could not travel both\n");
     test::write_file(folder + "/.hidden", "no matter\n");
     Diagnostics diagnostics;
     const auto model = open_model(std::vector<std::string>{folder}, {}, diagnostics);
     ASSERT_EQ(model->inputs().size(), 1U);
     EXPECT_EQ(model->inputs()[0].path, folder + "/b.frd");
-    ASSERT_EQ(diagnostics.entries().size(), 1U);
+    ASSERT_EQ(diagnostics.entries().size(), 2U);
+    EXPECT_EQ(diagnostics.entries()[1].where, folder + "/c.txt");
     EXPECT_EQ(diagnostics.entries()[0].code, Code::UnknownBlock);
     EXPECT_THAT(diagnostics.entries()[0].where, HasSubstr("a.txt"));
 }

@@ -162,5 +162,18 @@ TEST(Check, notices_an_extreme_that_was_written_wrongly) {
     );
 }
 
+TEST(Check, notices_a_range_over_the_model_that_the_certificate_states_otherwise) {
+    auto sample = brick_sample(2, 1, 1);
+    Changed scene(*sample, "check_model_range");
+    const std::string claim = R"("model":{"min":{"value":)";
+    const std::size_t at = scene.bytes.find(claim);
+    ASSERT_NE(at, std::string::npos);
+    char& digit = scene.bytes[at + claim.size()];
+    digit = digit == '1' ? '2' : '1';
+    write_file(scene.path, scene.bytes);
+
+    EXPECT_THAT(broken_claims(scene.path), ::testing::Contains(::testing::HasSubstr("range over the model")));
+}
+
 }  // namespace
 }  // namespace feelem::test
