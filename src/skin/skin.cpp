@@ -12,6 +12,7 @@
 #include "feelem/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -192,6 +193,11 @@ void tell(const SkinReport& report, Diagnostics& diagnostics) {
 }
 
 std::string why_nothing_is_drawn(const Mesh& mesh) {
+    const bool has_places =
+        std::ranges::any_of(mesh.coordinates, [](const Point3& place) { return !std::isnan(place[0]); });
+    if (mesh.element_count() > 0 && !has_places)
+        return "the inputs list elements, but not where their nodes are. Add the file of the same model that "
+               "lists its nodes (Ansys: NLIST,ALL,,,COORD).";
     if (mesh.element_count() > 0) return "no element has a surface that could be drawn";
     return "the inputs list no elements: values alone cannot be drawn. Add the files of the same model that "
            "list "
