@@ -37,7 +37,7 @@ struct ProbedPlace {
     std::int64_t element_id = 0;
     std::optional<std::int64_t> node_id;  ///< Corner of the largest weight, the smallest id on a tie.
     double distance = 0;                  ///< Along the ray, or from the point asked for.
-    std::optional<Step> step;  ///< That of the values: the one the scene shows first.
+    std::optional<Step> step;             ///< That of the values: the one the scene shows first.
     std::vector<ProbedValue> results;
     std::optional<Rgb> colour;
     std::optional<Tone> tone;
