@@ -83,6 +83,7 @@ std::vector<Claim> check_against_inputs(
         std::vector<Claim> claims;
         check_files(*source, scene, claims);
         claims.push_back(check_positions(source->mesh(), scene));
+        claims.push_back(check_counts(source->mesh(), scene, job));
         report_progress(progress, "triangles", 0);
         for (Claim& claim : check_triangles(source->mesh(), scene)) claims.push_back(std::move(claim));
         for (Claim& claim : check_values(*source, scene, progress)) claims.push_back(std::move(claim));

@@ -39,6 +39,8 @@ private:
     std::vector<std::pair<std::int64_t, std::uint32_t>> sorted_;
 };
 
+/// The certificate's numbers of the model and its facets against a skin made anew.
+Claim check_counts(const Mesh& mesh, const Scene& scene, const Job& job);
 /// Every triangle against the facets of the model, found by sorting all of them.
 std::vector<Claim> check_triangles(const Mesh& mesh, const Scene& scene);
 /// Range over the model, location, averaging and shear of one result at one step. `result` has its

@@ -322,6 +322,16 @@ void read_certificate(const json& feelem, CertificateClaims& out) {
     }
 }
 
+/// Numbers of nested objects under dotted names.
+void read_numbers(
+    const json& object, const std::string& name, int depth, std::map<std::string, double>& out
+) {
+    for (const auto& [key, value] : object.items()) {
+        if (value.is_number()) out.emplace(name + "." + key, value.get<double>());
+        if (value.is_object() && depth > 0) read_numbers(value, name + "." + key, depth - 1, out);
+    }
+}
+
 SceneDocument read_document(const json& root) {
     SceneDocument out;
     if (!root.is_object() || !root.contains("extras") || !root["extras"].is_object() ||
@@ -336,6 +346,10 @@ SceneDocument read_document(const json& root) {
     read_steps(feelem, out);
     read_results(feelem, out);
     read_certificate(feelem, out.certificate);
+    for (const char* name : {"model", "skin"}) {
+        const json& object = need(need(feelem, "certificate"), name);
+        if (object.is_object()) read_numbers(object, name, 2, out.scene.certificate_numbers);
+    }
     if (const json& notes = need(feelem, "certificate");
         notes.contains("notes") && notes["notes"].is_object()) {
         for (const auto& [name, note] : notes["notes"].items()) {

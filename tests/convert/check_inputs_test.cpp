@@ -207,6 +207,22 @@ TEST(CheckInputs, find_a_changed_range_over_the_model) {
     }
 }
 
+TEST(CheckInputs, find_a_changed_number_of_the_certificate) {
+    const std::string path = converted(kFrd, "broken/forged_number");
+    const std::string whole = read_file(path);
+    const std::size_t certificate = whole.find(R"("certificate":{)");
+    for (const std::string word :
+         {R"("nodes":)", R"("keptQuads":)", R"("duplicateElements":)", R"("inner":)"}) {
+        std::string bytes = whole;
+        const std::size_t at = bytes.find(word, certificate);
+        ASSERT_NE(at, std::string::npos) << word;
+        char& digit = bytes[at + word.size()];
+        digit = digit == '1' ? '2' : '1';
+        write_file(path, bytes);
+        EXPECT_THAT(broken_claims(path, kFrd), Contains(HasSubstr("numbers of the certificate"))) << word;
+    }
+}
+
 TEST(CheckInputs, say_when_the_files_are_others) {
     const std::string path = converted(kFrd, "agree_others");
     const Job others = job_of("small", {"heat.frd", "static.frd"});
