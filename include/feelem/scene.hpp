@@ -107,7 +107,7 @@ struct Scene {
     std::map<std::string, std::string> notes;  ///< Of the certificate: "skin" -> "exact".
     /// Numbers of the certificate's "model" and "skin": "skin.facets.in" -> 7608.
     std::map<std::string, double> certificate_numbers;
-    std::string extras_json;                   ///< extras.feelem as written.
+    std::string extras_json;  ///< extras.feelem as written.
 };
 /// Throws Error(BadScene) on anything that is not a scene of ours.
 Scene load_scene(const std::string& path);
