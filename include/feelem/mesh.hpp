@@ -16,6 +16,8 @@
 namespace feelem {
 
 using Point3 = std::array<double, 3>;
+/// Rotation of a nodal coordinate system: degrees about Z, then X', then Y'' (the order of THXY THYZ THZX).
+using NodalAngles = std::array<double, 3>;
 
 /// What solver users call a body, component, property or material: decision 9 says which it is per solver.
 struct Part {
@@ -58,7 +60,7 @@ struct Mesh {
     std::vector<ElementSet> element_sets;
     /// Rotation of nodal coordinate systems (degrees about Z, X', Y''; docs/formats/); empty when
     /// none.
-    std::vector<std::array<float, 3>> node_angles;
+    std::vector<NodalAngles> node_angles;
     std::map<std::string, std::uint64_t> skipped_elements;  ///< Solver's type name -> rows without a surface.
     std::optional<LengthUnit> length_unit;
 

@@ -45,7 +45,7 @@ Result to_global(const Mesh& mesh, const Result& result) {
         const bool is_nodal = result.info.location == Location::Nodal;
         if (!is_nodal && row >= result.row_node.size()) break;
         const std::size_t node = is_nodal ? row : raw(result.row_node[row]);
-        if (node >= mesh.node_angles.size() || mesh.node_angles[node] == std::array<float, 3>{}) continue;
+        if (node >= mesh.node_angles.size() || mesh.node_angles[node] == NodalAngles{}) continue;
         const Matrix3 axes = nodal_axes(mesh.node_angles[node]);
         float* values = out.values.data() + row * width;
         if (result.info.shape == Shape::Vector) {

@@ -78,13 +78,13 @@ std::array<double, 3> eigenvalues(const Tensor6& tensor) noexcept {
     return values;
 }
 
-Matrix3 nodal_axes(const std::array<float, 3>& angles) noexcept {
+Matrix3 nodal_axes(const NodalAngles& angles) noexcept {
     double s = 0, c = 1;
-    sine_and_cosine(static_cast<double>(angles[0]), s, c);
+    sine_and_cosine(angles[0], s, c);
     const Matrix3 about_z{{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
-    sine_and_cosine(static_cast<double>(angles[1]), s, c);
+    sine_and_cosine(angles[1], s, c);
     const Matrix3 about_x{{{1, 0, 0}, {0, c, -s}, {0, s, c}}};
-    sine_and_cosine(static_cast<double>(angles[2]), s, c);
+    sine_and_cosine(angles[2], s, c);
     const Matrix3 about_y{{{c, 0, s}, {0, 1, 0}, {-s, 0, c}}};
     return times(times(about_z, about_x), about_y);
 }

@@ -2,6 +2,8 @@
 // Symmetric tensors of rank two, in double: eigenvalues and rotation.
 #pragma once
 
+#include "feelem/mesh.hpp"
+
 #include <array>
 
 namespace feelem {
@@ -15,7 +17,7 @@ std::array<double, 3> eigenvalues(const Tensor6& tensor) noexcept;
 
 /// Axes of an Ansys nodal system as columns: turned by angles[0] degrees about Z, then by angles[1] about the
 /// new X, then by angles[2] about the newest Y (THXY, THYZ, THZX of the N command).
-Matrix3 nodal_axes(const std::array<float, 3>& angles) noexcept;
+Matrix3 nodal_axes(const NodalAngles& angles) noexcept;
 
 /// Components in the global system of a vector, or tensor, given along `axes`. A term whose coefficient is 0
 /// does not count, so that a missing component spoils only what it takes part in.

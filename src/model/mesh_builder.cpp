@@ -37,7 +37,7 @@ void MeshBuilder::add_node(NodeId id, const Point3& coordinates) {
     add_node(id, coordinates, {});
 }
 
-void MeshBuilder::add_node(NodeId id, const Point3& coordinates, const std::array<float, 3>& angles) {
+void MeshBuilder::add_node(NodeId id, const Point3& coordinates, const NodalAngles& angles) {
     assert(!lookup_ && "nodes after seal_nodes()");
     const bool rotated = angles[0] != 0 || angles[1] != 0 || angles[2] != 0;
     if (rotated && !has_angles_) {

@@ -29,7 +29,7 @@ public:
     void reserve_nodes(std::size_t count);
     void add_node(NodeId id, const Point3& coordinates);
     /// The same, with the rotation of its nodal system in degrees (about Z, X', Y'').
-    void add_node(NodeId id, const Point3& coordinates, const std::array<float, 3>& angles);
+    void add_node(NodeId id, const Point3& coordinates, const NodalAngles& angles);
     /// Sorts; a repeated id keeps the later definition (DuplicateNode).
     void seal_nodes();
 

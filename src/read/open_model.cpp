@@ -133,7 +133,8 @@ std::unique_ptr<ModelSource> open_inputs(
 ) {
     Sorted sorted = sort_by_format(inputs, options, diagnostics);
     std::vector<OpenedSource> sources;
-    ReadContext context{options};
+    IncludeFiles includes(inputs);
+    ReadContext context{options, nullptr, &includes};
     const auto open = [&](const ReadFormat& format, std::vector<std::uint32_t> which) {
         std::vector<Input> group;
         for (const std::uint32_t i : which) group.push_back(sorted.texts[i]);
@@ -152,6 +153,7 @@ std::unique_ptr<ModelSource> open_inputs(
             for (const std::uint32_t i : which) open(format, {i});
         }
     }
+    for (const Input& input : includes.opened()) sorted.used.push_back({input, "included"});
     return merge_sources(std::move(sources), std::move(sorted.used));
 }
 

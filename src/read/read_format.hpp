@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/input.hpp"
+#include "read/include_files.hpp"
 
 #include "feelem/read.hpp"
 
@@ -26,6 +27,8 @@ struct ReadContext {
     /// The mesh of inputs that were opened before, or null. It outlives the source that is being opened:
     /// a source without elements of its own matches its ids against this one and returns it from mesh().
     const Mesh* mesh = nullptr;
+    /// Opens what a deck includes (INCLUDE 'file'); null: includes cannot be had.
+    IncludeFiles* includes = nullptr;
 };
 
 struct ReadFormat {

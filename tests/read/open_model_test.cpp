@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which reader gets which file, and what is said of files that nobody can read.
 #include "base/text_encoding.hpp"
+#include "read/include_files.hpp"
 #include "support/paths.hpp"
 
 #include "feelem/error.hpp"
@@ -9,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -184,6 +186,32 @@ TEST(TextEncoding, utf16_of_either_byte_order_and_marked_utf8_become_plain_utf8)
 TEST(TextEncoding, half_a_surrogate_becomes_the_replacement_character) {
     const Input input = Input::from_memory("x", "\xFF\xFE\x3D\xD8"s + "a\0"s + "\x42\xDE"s + "b"s);
     EXPECT_EQ(without_encoding(input).text(), "\xEF\xBF\xBD"s + "a" + "\xEF\xBF\xBD");
+}
+
+TEST(IncludeFiles, finds_a_file_beside_the_deck_and_remembers_it_once) {
+    const std::string folder = test::scratch_folder("includes");
+    std::filesystem::create_directories(folder + "/sub");
+    test::write_file(folder + "/deck.inp", "deck");
+    test::write_file(folder + "/sub/mesh.inc", "mesh");
+    const Input deck = Input::from_file(folder + "/deck.inp");
+    IncludeFiles includes({});
+    for (const char* name : {"sub/mesh.inc", "sub\\mesh.inc"}) {
+        const auto found = includes.find(name, deck);
+        ASSERT_TRUE(found) << name;
+        EXPECT_EQ(found->text(), "mesh");
+    }
+    EXPECT_FALSE(includes.find("other.inc", deck));
+    ASSERT_EQ(includes.opened().size(), 1U);
+    EXPECT_EQ(includes.opened()[0].name(), folder + "/sub/mesh.inc");
+}
+
+TEST(IncludeFiles, prefers_an_input_of_that_name_and_asks_no_disk_for_a_deck_in_memory) {
+    const std::vector<Input> given{
+        Input::from_memory("deck.inp", "deck"), Input::from_memory("far/mesh.inc", "given")};
+    IncludeFiles includes(given);
+    EXPECT_EQ(includes.find("C:\\run\\mesh.inc", given[0])->text(), "given");
+    EXPECT_FALSE(includes.find(test::project_file("README.md"), given[0]));
+    EXPECT_TRUE(includes.opened().empty());
 }
 
 }  // namespace

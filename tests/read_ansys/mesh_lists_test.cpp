@@ -99,7 +99,7 @@ TEST(NodeLists, angles_are_read_and_zero_angles_are_none) {
     const auto rotated =
         open_texts({head + "       7    2.8453    -0.66331E-02  0.0000       90.00   -5.50    0.00\n"});
     ASSERT_EQ(rotated.model->mesh().node_angles.size(), 1u);
-    EXPECT_EQ(rotated.model->mesh().node_angles[0], (std::array<float, 3>{90, -5.5F, 0}));
+    EXPECT_EQ(rotated.model->mesh().node_angles[0], (NodalAngles{90, -5.5, 0}));
     EXPECT_TRUE(rotated.diagnostics->has(Code::LowPrecision));
 
     const auto straight =

@@ -17,9 +17,9 @@ namespace feelem::ansys {
 struct ListedNodes {
     std::vector<NodeId> ids;
     std::vector<Point3> positions;
-    std::vector<std::array<float, 3>> angles;  ///< As long as ids, or empty.
-    bool has_angles = false;                   ///< A list gave them, be they zero.
-    std::string length_unit;                   ///< Empty: no input says so.
+    std::vector<NodalAngles> angles;  ///< As long as ids, or empty.
+    bool has_angles = false;          ///< A list gave them, be they zero.
+    std::string length_unit;          ///< Empty: no input says so.
 };
 
 /// All NLIST listings (CoordinateSystem, LowPrecision).

@@ -20,7 +20,7 @@ namespace feelem::ansys {
 struct NodeRow {
     std::int64_t id = 0;
     Point3 position{};
-    std::array<float, 3> angles{};
+    NodalAngles angles{};
     std::size_t offset = 0;  ///< Of its line.
 };
 
