@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // check_scene: every claim of the certificate made again from the arrays alone.
 #include "base/sha256.hpp"
+#include "scene/scene_check_shown.hpp"
 #include "scene/scene_measure.hpp"
 #include "scene/scene_read.hpp"
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -296,6 +298,7 @@ std::vector<Claim> check_scene(const std::string& path) {
         check_nodes(check);
         check_extremes(check);
         check_ranges(check);
+        std::ranges::move(check_shown(file, check.parts), std::back_inserter(check.claims));
     } catch (const Error& error) {
         // Arrays that contradict each other: the digests above say which of them changed.
         check.claims.push_back({"arrays fit together", "yes", error.what(), false});

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 namespace feelem {
@@ -107,6 +108,8 @@ gltf::Primitive read_primitive(const json& mesh, std::size_t accessors) {
     out.mode = static_cast<int>(count(primitives[0], "mode", gltf::kTriangles) & 0xFF);
     for (const auto& [semantic, unused] : attributes.items())
         out.attributes.emplace_back(semantic, index(attributes, semantic.c_str(), accessors));
+    for (const json& target : list(primitives[0], "targets"))
+        out.targets.push_back(index(target, "POSITION", accessors));
     return out;
 }
 
@@ -278,6 +281,41 @@ void read_results(const json& feelem, SceneDocument& out) {
     }
 }
 
+/// Result and step that an entry of extras names.
+std::pair<std::size_t, std::size_t> read_shown(const json& entry, const SceneDocument& out) {
+    const auto& results = out.scene.results;
+    const auto found = std::ranges::find(results, text(entry, "result"), &SceneResult::id);
+    const std::uint64_t step = count(entry, "step");
+    if (found == results.end() || step == 0 || step > out.scene.steps.size())
+        bad(fmt::format("there is no result '{}' at step {}", text(entry, "result"), step));
+    return {static_cast<std::size_t>(found - results.begin()), static_cast<std::size_t>(step - 1)};
+}
+
+Scale scale_from(std::string_view text) {
+    return text == "log"      ? Scale::Log
+           : text == "signed" ? Scale::Signed
+           : text == "symlog" ? Scale::SymLog
+                              : Scale::Linear;
+}
+
+void read_what_is_shown(const json& feelem, SceneDocument& out) {
+    for (const json& entry : list(feelem, "texcoords")) {
+        const json& range = need(entry, "range");
+        if (!range.is_array() || range.size() != 2 || !range[0].is_number() || !range[1].is_number())
+            bad("the range of a texture coordinate is not two numbers");
+        TexcoordClaim claim;
+        std::tie(claim.result, claim.step) = read_shown(entry, out);
+        claim.set = static_cast<std::size_t>(count(entry, "set"));
+        claim.component = text(entry, "component");
+        claim.range = {range[0].get<double>(), range[1].get<double>(), scale_from(text(entry, "scale"))};
+        out.texcoords.push_back(std::move(claim));
+    }
+    const json& deformation = need(feelem, "deformation");
+    if (!deformation.is_object()) return;
+    const auto [result, step] = read_shown(deformation, out);
+    out.deformation = DeformationClaim{result, step, number(deformation, "factor")};
+}
+
 void read_certificate(const json& feelem, CertificateClaims& out) {
     const json& certificate = need(feelem, "certificate");
     const json& scene = need(certificate, "scene");
@@ -345,6 +383,7 @@ SceneDocument read_document(const json& root) {
     read_nodes(root, out, out.scene.parts.size());
     read_steps(feelem, out);
     read_results(feelem, out);
+    read_what_is_shown(feelem, out);
     read_certificate(feelem, out.certificate);
     for (const char* name : {"model", "skin"}) {
         const json& object = need(need(feelem, "certificate"), name);

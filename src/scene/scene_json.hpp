@@ -55,6 +55,17 @@ struct CertificateClaims {
     std::map<std::string, std::string> digests;
 };
 
+/// TEXCOORD_<set> of all parts, as extras say what it shows. `result` counts in Scene::results.
+struct TexcoordClaim {
+    std::size_t set = 0, result = 0, step = 0;  ///< Step from 0.
+    std::string component;
+    ValueRange range;
+};
+struct DeformationClaim {
+    std::size_t result = 0, step = 0;
+    double factor = 0;
+};
+
 struct SceneDocument {
     std::vector<gltf::Buffer> buffers;
     std::vector<ReadView> views;
@@ -68,6 +79,8 @@ struct SceneDocument {
     std::vector<std::uint64_t> model_parts;  ///< Which part of the model; solids and shells may share one.
     std::vector<std::vector<FieldPlace>> fields;  ///< [result][values]
     Scene scene;                                  ///< All but geometry and fields.
+    std::vector<TexcoordClaim> texcoords;
+    std::optional<DeformationClaim> deformation;
     std::string presentation_json;
     CertificateClaims certificate;
 };

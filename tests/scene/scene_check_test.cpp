@@ -175,5 +175,47 @@ TEST(Check, notices_a_range_over_the_model_that_the_certificate_states_otherwise
     EXPECT_THAT(broken_claims(scene.path), ::testing::Contains(::testing::HasSubstr("range over the model")));
 }
 
+/// The sample's scene with one float of an array moved, and what no longer holds besides its digest.
+std::vector<std::string> broken_by_moving(const std::string& array, std::size_t index, float by) {
+    Changed scene(*brick_sample(2, 1, 1), "check_shown");
+    scene.put<float>(array, index, scene.get<float>(array, index) + by);
+    return broken_claims(scene.path);
+}
+
+TEST(Check, makes_colours_again_from_the_values) {
+    EXPECT_THAT(
+        broken_by_moving("p0/TEXCOORD_0", 4, 0.001F),
+        ::testing::Contains(::testing::HasSubstr("colours of temperature"))
+    );
+}
+
+TEST(Check, makes_the_deformed_shape_again_from_displacement_and_factor) {
+    EXPECT_THAT(
+        broken_by_moving("p0/deformation/1", 7, 1e-3F),
+        ::testing::Contains(::testing::HasSubstr("deformed shape"))
+    );
+}
+
+TEST(Check, notices_a_normal_that_looks_inwards) {
+    Changed scene(*brick_sample(2, 1, 1), "check_normal");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        scene.put<float>("p0/NORMAL", axis, -scene.get<float>("p0/NORMAL", axis));
+    EXPECT_THAT(broken_claims(scene.path), ::testing::Contains(::testing::HasSubstr("normals")));
+}
+
+TEST(Check, notices_a_factor_and_a_colour_range_that_are_not_those_of_the_presentation) {
+    for (const std::string claim :
+         {R"("deformation":{"result":"displacement","step":1,"factor":)",
+          R"("component":"value","step":1,"range":[)"}) {
+        Changed scene(*brick_sample(2, 1, 1), "check_forged");
+        const std::size_t at = scene.bytes.find(claim);
+        ASSERT_NE(at, std::string::npos) << claim;
+        char& digit = scene.bytes[at + claim.size()];
+        digit = digit == '1' ? '2' : '1';
+        write_file(scene.path, scene.bytes);
+        EXPECT_THAT(broken_claims(scene.path), ::testing::Not(::testing::IsEmpty())) << claim;
+    }
+}
+
 }  // namespace
 }  // namespace feelem::test
