@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `feelem check`: every claim of a scene's certificate, recomputed; with inputs, the scene against them.
 #include "command.hpp"
+#include "terminal.hpp"
 
 #include "feelem/convert.hpp"
 #include "feelem/probe.hpp"
@@ -21,9 +22,14 @@ int run_check(const Options& options) {
     if (options.job.inputs.size() > 1) {
         Job job = options.job;
         job.inputs.erase(job.inputs.begin());
-        Diagnostics diagnostics;
-        for (Claim& claim : check_against_inputs(scene, job, diagnostics, {}))
+        Terminal terminal(options.verbose);
+        ToldDiagnostics diagnostics(terminal);
+        for (Claim& claim : check_against_inputs(scene, job, *diagnostics, terminal.progress()))
             claims.push_back(std::move(claim));
+        if (was_interrupted()) {
+            fmt::print(stderr, "feelem: cancelled\n");
+            return 1;
+        }
     }
     const auto failed = std::ranges::count(claims, false, &Claim::holds);
     if (options.json) {

@@ -10,11 +10,10 @@
 namespace feelem::cli {
 
 int run_convert(const Options& options) {
-    Diagnostics diagnostics;
     Terminal terminal(options.verbose);
-    const bool done = convert(options.job, diagnostics, terminal.progress());
-    terminal.finish();
-    print_diagnostics(diagnostics);
+    ToldDiagnostics diagnostics(terminal);
+    const bool done = convert(options.job, *diagnostics, terminal.progress());
+    diagnostics.print();
     if (done) return 0;
     fmt::print(stderr, "feelem: cancelled, nothing was written\n");
     return 1;

@@ -147,16 +147,16 @@ void print_results(const ModelReport& report) {
 }  // namespace
 
 int run_info(const Options& options) {
-    Diagnostics diagnostics;
     Terminal terminal(options.verbose);
-    const auto report = report_model(options.job, diagnostics, terminal.progress());
+    ToldDiagnostics diagnostics(terminal);
+    const auto report = report_model(options.job, *diagnostics, terminal.progress());
     terminal.finish();
     if (!report) {
         fmt::print(stderr, "feelem: cancelled\n");
         return 1;
     }
     if (options.json) {
-        fmt::print("{}", info_json(*report, diagnostics));
+        fmt::print("{}", info_json(*report, *diagnostics));
         return 0;
     }
     print_inputs(*report);
@@ -164,7 +164,7 @@ int run_info(const Options& options) {
     print_skin(*report);
     print_steps(*report);
     print_results(*report);
-    print_diagnostics(diagnostics);
+    diagnostics.print();
     return 0;
 }
 

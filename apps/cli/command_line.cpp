@@ -122,7 +122,7 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
     if (has(takes, Takes::Model)) add_model_options(app, options.job, texts);
     if (has(takes, Takes::Json)) app.add_flag("--json", options.json, "Machine-readable, stable");
     if (has(takes, Takes::Place)) {
-        app.add_option("--node", options.node, "ID: at a node")->option_text(" ");
+        app.add_option("--node", options.node, "ID, a whole number: at a node")->option_text(" ");
         app.add_option("--point", texts.point, "X,Y,Z: at the place of the skin that is nearest")
             ->option_text(" ");
         app.add_option("--ray", texts.ray, "OX,OY,OZ,DX,DY,DZ: where a ray first meets the skin")
@@ -135,7 +135,9 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
         app.add_flag("--lan", options.lan, "Serve to headsets on the local network");
         app.add_flag("!--no-open", options.open_browser, "Do not open a browser");
     }
-    app.add_option("--threads", options.threads, "N (all)")->option_text(" ");
+    app.add_option("--threads", options.threads, "N: threads at most; 0: all of them (0)")
+        ->check(CLI::Range(0U, 65535U).description(""))
+        ->option_text(" ");
     app.add_flag("--verbose", options.verbose, "A line a stage with seconds and peak memory");
 }
 
@@ -188,7 +190,11 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     const std::string text = error.what();
     for (const CLI::Option* option : app.get_options()) {
         for (const std::string& name : option->get_lnames()) {
-            if (!text.starts_with("--" + name + ":") && !text.starts_with("--" + name + " ")) continue;
+            // "--skin: Check failed", "--port requires a value", "Could not convert: --threads = -1"
+            const bool is_meant = text.starts_with("--" + name + ":") ||
+                                  text.starts_with("--" + name + " ") ||
+                                  text.starts_with("Could not convert: --" + name + " ");
+            if (!is_meant) continue;
             const auto given = option->results();
             return fmt::format(
                 "--{}{} cannot be understood. It is --{} {}",

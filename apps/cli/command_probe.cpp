@@ -51,8 +51,11 @@ int run_probe(const Options& options) {
         throw UsageError("probe needs one place: --node ID, --point X,Y,Z or --ray OX,OY,OZ,DX,DY,DZ");
     const SceneInput scene(options);
     if (scene.path().empty()) return 1;
+    // A scene made for this run holds the steps that were asked for and no other.
+    std::string steps = options.job.steps;
+    if (scene.is_made() && !steps.empty()) steps = "all";
     const std::vector<ProbedPlace> places =
-        probe(load_scene(scene.path()), {options.node, options.point, options.ray});
+        probe(load_scene(scene.path()), {options.node, options.point, options.ray, steps});
     if (options.json) {
         fmt::print("{}", probe_json(places));
         return 0;

@@ -50,11 +50,10 @@ SceneInput::SceneInput(const Options& options) {
     const std::string stem = fs::path(given.inputs.front()).stem().string();
     job.output = (fs::path(folder_) / ((stem.empty() ? "scene" : stem) + ".glb")).string();
     try {
-        Diagnostics diagnostics;
         Terminal terminal(options.verbose);
-        const bool done = convert(job, diagnostics, terminal.progress());
-        terminal.finish();
-        print_diagnostics(diagnostics);
+        ToldDiagnostics diagnostics(terminal);
+        const bool done = convert(job, *diagnostics, terminal.progress());
+        diagnostics.print();
         if (done) path_ = job.output;
     } catch (...) {
         std::error_code error;

@@ -18,6 +18,7 @@ public:
 
     /// Empty when the conversion was cancelled.
     const std::string& path() const noexcept { return path_; }
+    bool is_made() const noexcept { return !folder_.empty(); }
 
 private:
     std::string path_;

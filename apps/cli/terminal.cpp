@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <fstream>
 
 namespace feelem::cli {
@@ -94,6 +95,18 @@ void print_diagnostics(const Diagnostics& diagnostics) {
             entry.count > 1 ? fmt::format(" ({} times)", entry.count) : ""
         );
     }
+}
+
+ToldDiagnostics::ToldDiagnostics(Terminal& terminal)
+    : terminal_(terminal), errors_before_(std::uncaught_exceptions()) {}
+
+ToldDiagnostics::~ToldDiagnostics() {
+    if (std::uncaught_exceptions() > errors_before_) print();
+}
+
+void ToldDiagnostics::print() {
+    terminal_.finish();
+    print_diagnostics(diagnostics_);
 }
 
 std::size_t peak_memory() {

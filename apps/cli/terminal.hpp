@@ -39,6 +39,25 @@ bool was_interrupted();
 /// "warning: file.lis:12: text (3 times)", a line each.
 void print_diagnostics(const Diagnostics& diagnostics);
 
+/// The diagnostics of one command. What was found before an error is printed before the error.
+class ToldDiagnostics {
+public:
+    /// Ends the terminal's bar before it prints.
+    explicit ToldDiagnostics(Terminal& terminal);
+    ~ToldDiagnostics();
+    ToldDiagnostics(const ToldDiagnostics&) = delete;
+    ToldDiagnostics& operator=(const ToldDiagnostics&) = delete;
+
+    Diagnostics& operator*() noexcept { return diagnostics_; }
+    /// The work is done: prints them.
+    void print();
+
+private:
+    Terminal& terminal_;
+    Diagnostics diagnostics_;
+    int errors_before_ = 0;
+};
+
 /// Largest resident memory of this process so far, in bytes.
 std::size_t peak_memory();
 

@@ -18,6 +18,9 @@ struct ProbeQuery {
     std::optional<std::int64_t> node;
     std::optional<Point3> point;               ///< The nearest place on the skin.
     std::optional<std::array<double, 6>> ray;  ///< Origin and direction.
+    /// As --steps: "all", "last", "1.3" ...: a place for each of them. Empty: the step that the scene shows
+    /// first.
+    std::string steps{};
 };
 
 /// One component of a result at a place.
@@ -37,7 +40,7 @@ struct ProbedPlace {
     std::int64_t element_id = 0;
     std::optional<std::int64_t> node_id;  ///< Corner of the largest weight, the smallest id on a tie.
     double distance = 0;                  ///< Along the ray, or from the point asked for.
-    std::optional<Step> step;             ///< That of the values: the one the scene shows first.
+    std::optional<Step> step;             ///< That of the values.
     std::vector<ProbedValue> results;
     std::optional<Rgb> colour;
     std::optional<Tone> tone;
@@ -46,8 +49,8 @@ struct ProbedPlace {
 };
 
 /// A node may be in several parts, each with its own values: one place a part. Else one place, or none when
-/// the ray meets nothing. At the step that the scene shows first. Throws Error(UnknownName) for a node that
-/// is not on the skin.
+/// the ray meets nothing. All places of a step, then those of the next. Throws Error(UnknownName) for a node
+/// that is not on the skin and for a step that is not in the scene.
 std::vector<ProbedPlace> probe(const Scene& scene, const ProbeQuery& query);
 
 /// The first place with the keys of lastProbe(), the others under "others"; null when there is none.

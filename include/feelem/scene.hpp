@@ -97,6 +97,7 @@ struct SceneField {
 };
 struct Scene {
     std::string title;
+    std::vector<InputRecord> inputs;  ///< Paths without folders.
     Point3 origin{};
     std::optional<LengthUnit> length_unit;
     std::vector<ScenePart> parts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "convert/check_inputs.hpp"
 
+#include "convert/skin_options.hpp"
 #include "convert/stage.hpp"
 
 #include "feelem/error.hpp"
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
+#include <utility>
 
 namespace feelem {
 
@@ -56,10 +59,33 @@ Claim check_positions(const Mesh& mesh, const Scene& scene) {
     return tally.claim();
 }
 
+const InputRecord* with_digest(std::span<const InputRecord> inputs, const std::string& sha256) {
+    const auto found = std::ranges::find(inputs, sha256, &InputRecord::sha256);
+    return found == inputs.end() ? nullptr : &*found;
+}
+
+/// The second node list of the node map is among the inputs when a folder is given that holds it.
+Job with_surface_nodes(const ModelSource& source, const Scene& scene, Job job) {
+    const auto skin = scene.notes.find("skin");
+    if (skin == scene.notes.end() || skin->second != "node-list") return job;
+    job.skin.method = SkinMethod::NodeList;
+    if (!job.surface_nodes_file.empty()) return job;
+    for (const InputRecord& input : scene.inputs) {
+        if (input.format != kSurfaceNodesFormat) continue;
+        if (const InputRecord* file = with_digest(source.inputs(), input.sha256)) {
+            job.surface_nodes_file = file->path;
+        }
+    }
+    return job;
+}
+
 /// The files are the ones that the scene was made of.
-void check_files(const ModelSource& source, const Scene& scene, std::vector<Claim>& claims) {
-    for (const InputRecord& input : source.inputs()) {
-        const bool known = scene.extras_json.find(input.sha256) != std::string::npos;
+void check_files(const ModelSource& source, const Scene& scene, const Job& job, std::vector<Claim>& claims) {
+    std::vector<InputRecord> given(source.inputs().begin(), source.inputs().end());
+    auto list = surface_nodes_record(job);
+    if (list && with_digest(given, list->sha256) == nullptr) given.push_back(std::move(*list));
+    for (const InputRecord& input : given) {
+        const bool known = with_digest(scene.inputs, input.sha256) != nullptr;
         const std::string name = input.path.substr(input.path.find_last_of('/') + 1);
         claims.push_back(
             {"input " + name,
@@ -81,9 +107,10 @@ std::vector<Claim> check_against_inputs(
         report_progress(progress, "scene", 0);
         const Scene scene = load_scene(scene_path);
         std::vector<Claim> claims;
-        check_files(*source, scene, claims);
+        const Job found = with_surface_nodes(*source, scene, job);
+        check_files(*source, scene, found, claims);
         claims.push_back(check_positions(source->mesh(), scene));
-        claims.push_back(check_counts(source->mesh(), scene, job));
+        claims.push_back(check_counts(source->mesh(), scene, found));
         report_progress(progress, "triangles", 0);
         for (Claim& claim : check_triangles(source->mesh(), scene)) claims.push_back(std::move(claim));
         for (Claim& claim : check_values(*source, scene, progress)) claims.push_back(std::move(claim));

@@ -103,7 +103,7 @@ void run(const Job& job, Diagnostics& diagnostics, const Progress& progress) {
     check_output(job);
     const std::unique_ptr<ModelSource> source = open_job(job, diagnostics, progress);
     if (!source) throw Cancelled{};
-    const auto steps = select_steps(*source, job.steps, default_steps_of(kind), diagnostics);
+    const auto steps = select_steps(source->steps(), job.steps, default_steps_of(kind), diagnostics);
     auto results = select_results(*source, steps, job.results);
     Work work{job, diagnostics, progress, *source, plan_scene(*source, steps, results, job.average)};
     if (kind == OutputKind::Glb || kind == OutputKind::Gltf) return write_as_scene(work);

@@ -12,6 +12,14 @@
 #include <vector>
 
 namespace feelem {
+namespace {
+
+/// The step that the file holds: the plan has one at most.
+const Step* step_of(const ScenePlan& plan) {
+    return plan.steps.empty() ? nullptr : &plan.steps.back();
+}
+
+}  // namespace
 
 void write_as_ply(Work& work) {
     const Surface surface = skin_of(work);
@@ -30,7 +38,7 @@ void write_as_ply(Work& work) {
              store.take_field(i, 0)}
         );
     }
-    write_ply(work.job.output, work.source.mesh(), surface, fields);
+    write_ply(work.job.output, work.source.mesh(), surface, fields, step_of(work.plan));
 }
 
 void write_as_vtu(Work& work) {
@@ -53,7 +61,7 @@ void write_as_vtu(Work& work) {
         results.push_back(std::move(result));
     }
     report_progress(work.progress, "write", 0);
-    write_vtu(work.job.output, work.source.mesh(), results);
+    write_vtu(work.job.output, work.source.mesh(), results, step_of(work.plan));
 }
 
 }  // namespace feelem

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace feelem {
 namespace {
@@ -73,6 +74,7 @@ void write_as_scene(Work& work) {
     report_progress(work.progress, "hash", 0);
     const auto inputs = work.source.inputs();
     contents.inputs.assign(inputs.begin(), inputs.end());
+    if (auto list = surface_nodes_record(work.job)) contents.inputs.push_back(std::move(*list));
     contents.mesh = &work.source.mesh();
     contents.surface = &surface;
     contents.up = work.job.up;

@@ -3,6 +3,7 @@
 #include "feelem/probe.hpp"
 
 #include "convert/scene_target.hpp"
+#include "convert/selection.hpp"
 
 #include "feelem/error.hpp"
 #include "feelem/pick.hpp"
@@ -169,7 +170,7 @@ void fill_senses(const Presentation& presentation, ProbedPlace& place) {
     }
 }
 
-ProbedPlace read_place(const Scene& scene, const Place& place) {
+ProbedPlace read_place(const Scene& scene, const Place& place, std::size_t step) {
     const ScenePart& part = scene.parts[place.part];
     ProbedPlace out;
     out.part = part.name;
@@ -186,7 +187,6 @@ ProbedPlace read_place(const Scene& scene, const Place& place) {
 
     std::vector<const SceneResult*> results;
     for (const SceneResult& result : scene.results) results.push_back(&result);
-    const std::size_t step = shown_step(scene);
     if (step < scene.steps.size()) out.step = scene.steps[step];
     std::set<std::pair<std::size_t, std::size_t>> done;
     for (const PresentedResult& shown : scene.presentation.results) {
@@ -213,8 +213,15 @@ std::vector<ProbedPlace> probe(const Scene& scene, const ProbeQuery& query) {
     }
     const std::vector<Place> found =
         query.node ? places_of_node(scene, *query.node) : nearest_place(scene, query);
+    std::vector<std::size_t> steps{shown_step(scene)};
+    if (!query.steps.empty()) {
+        Diagnostics none;  // Steps that are named are never left out.
+        steps = select_steps(scene.steps, query.steps, DefaultSteps::All, none);
+    }
     std::vector<ProbedPlace> places;
-    for (const Place& place : found) places.push_back(read_place(scene, place));
+    for (const std::size_t step : steps) {
+        for (const Place& place : found) places.push_back(read_place(scene, place, step));
+    }
     return places;
 }
 

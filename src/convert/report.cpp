@@ -75,7 +75,7 @@ std::optional<ModelReport> report_model(const Job& job, Diagnostics& diagnostics
         report.skin_method = job.skin.method;
         report.skin = describe_skin(source->mesh(), job, diagnostics);
 
-        const auto steps = select_steps(*source, job.steps, DefaultSteps::All, diagnostics);
+        const auto steps = select_steps(source->steps(), job.steps, DefaultSteps::All, diagnostics);
         const auto results = select_results(*source, steps, job.results);
         for (const std::size_t step : steps) report.steps.push_back(source->steps()[step]);
         for (std::size_t i = 0; i < results.size(); ++i) {

@@ -146,9 +146,8 @@ std::string step_name(const Step& step) {
 }
 
 std::vector<std::size_t> select_steps(
-    const ModelSource& source, std::string_view text, DefaultSteps otherwise, Diagnostics& diagnostics
+    std::span<const Step> steps, std::string_view text, DefaultSteps otherwise, Diagnostics& diagnostics
 ) {
-    const std::span<const Step> steps = source.steps();
     if (text.empty()) return default_steps(steps, otherwise, diagnostics);
     if (text == "all") return all_of(steps.size());
     std::set<std::size_t> chosen;

@@ -5,6 +5,7 @@
 #include "feelem/convert.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -17,9 +18,9 @@ enum class DefaultSteps {
     Last,        ///< Of each input.
 };
 
-/// Indices into source.steps(), ascending. Throws Error(BadOption | UnknownName).
+/// Indices into `steps`, ascending. Throws Error(BadOption | UnknownName).
 std::vector<std::size_t> select_steps(
-    const ModelSource& source, std::string_view steps, DefaultSteps otherwise, Diagnostics& diagnostics
+    std::span<const Step> steps, std::string_view wanted, DefaultSteps otherwise, Diagnostics& diagnostics
 );
 
 /// Indices into source.results() at those steps, in the source's order. Throws Error(UnknownName).

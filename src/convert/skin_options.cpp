@@ -3,6 +3,7 @@
 
 #include "base/input.hpp"
 #include "base/number.hpp"
+#include "base/sha256.hpp"
 
 #include "feelem/error.hpp"
 
@@ -42,6 +43,12 @@ std::vector<NodeId> read_surface_nodes(std::string_view text, std::string_view n
     std::ranges::sort(ids);
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     return ids;
+}
+
+std::optional<InputRecord> surface_nodes_record(const Job& job) {
+    if (job.skin.method != SkinMethod::NodeList || job.surface_nodes_file.empty()) return std::nullopt;
+    const Input input = Input::from_file(job.surface_nodes_file);
+    return InputRecord{input.name(), std::string(kSurfaceNodesFormat), input.size(), sha256_hex(input)};
 }
 
 SkinOptions skin_options(const Job& job) {

@@ -143,6 +143,16 @@ void read_head(const json& feelem, SceneDocument& out) {
     if (count(feelem, "version") != 1)
         bad("extras.feelem.version is not 1. Was it written by a newer Feelem?");
     scene.title = text(feelem, "title");
+    for (const json& input : list(feelem, "inputs")) {
+        if (!input.is_object()) bad("an entry of 'inputs' is not an object");
+        const bool has_format = input.contains("format");
+        scene.inputs.push_back(
+            {text(input, "name"),
+             has_format ? text(input, "format") : "",
+             count(input, "bytes"),
+             text(input, "sha256")}
+        );
+    }
     const json& origin = need(feelem, "origin");
     if (!origin.is_array() || origin.size() != 3) bad("'origin' is not three numbers");
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -65,8 +65,15 @@ const char* element_id_type(const Mesh& mesh) {
     return id_type(smallest, largest);
 }
 
-void write_head(Sink& out, const Mesh& mesh, const Surface& surface, std::span<const NamedField> fields) {
+void write_head(
+    Sink& out, const Mesh& mesh, const Surface& surface, std::span<const NamedField> fields, const Step* step
+) {
     out.text("ply\nformat ascii 1.0\ncomment Feelem: node_id 0 is a point between nodes\n");
+    if (step != nullptr) {  // Not its label, which is the file's and may hold line ends.
+        out.text(
+            "comment step {}.{}, {}, value {}\n", step->step, step->substep, word(step->kind), step->value
+        );
+    }
     out.text("element vertex {}\n", surface.positions.size());
     out.text("property double x\nproperty double y\nproperty double z\n");
     for (const std::string& name : property_names(fields)) out.text("property float {}\n", name);
@@ -79,11 +86,15 @@ void write_head(Sink& out, const Mesh& mesh, const Surface& surface, std::span<c
 }  // namespace
 
 void write_ply(
-    const std::string& path, const Mesh& mesh, const Surface& surface, std::span<const NamedField> fields
+    const std::string& path,
+    const Mesh& mesh,
+    const Surface& surface,
+    std::span<const NamedField> fields,
+    const Step* step
 ) {
     AtomicFile file(path);
     Sink out(file);
-    write_head(out, mesh, surface, fields);
+    write_head(out, mesh, surface, fields, step);
     for (std::size_t v = 0; v < surface.positions.size(); ++v) {
         const Point3& at = surface.positions[v];
         out.text("{} {} {}", at[0], at[1], at[2]);

@@ -315,23 +315,42 @@ void write_heads(Sink& out, const char* group, std::span<const VtuArray> arrays,
     out.text("</{}>\n", group);
 }
 
-/// Names of the parts, by the numbers in the array Part. VTK writes text as the numbers of its letters.
-void write_part_names(Sink& out, const Mesh& mesh) {
-    if (mesh.parts.empty()) return;
-    out.text(
-        "<FieldData>\n<Array type=\"String\" Name=\"PartNames\" NumberOfTuples=\"{}\" format=\"ascii\">\n",
-        mesh.parts.size()
-    );
-    for (const Part& part : mesh.parts) {
-        for (const char c : part.name) out.text("{} ", static_cast<int>(static_cast<unsigned char>(c)));
-        out.text("0\n");
+/// VTK writes text as the numbers of its letters.
+void write_letters(Sink& out, std::string_view text) {
+    for (const char c : text) out.text("{} ", static_cast<int>(static_cast<unsigned char>(c)));
+    out.text("0\n");
+}
+
+void write_text_array_head(Sink& out, const char* name, std::size_t count) {
+    out.text("<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">\n", name, count);
+}
+
+/// What is no array of points or cells: the step, and the names of the parts by the numbers in the array
+/// Part.
+void write_field_data(Sink& out, const Mesh& mesh, const Step* step) {
+    if (step == nullptr && mesh.parts.empty()) return;
+    out.text("<FieldData>\n");
+    if (step != nullptr) {
+        const char* array = "<DataArray type=\"{}\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">";
+        out.text(fmt::runtime(array), "Float64", "TimeValue", 1);
+        out.text("{}</DataArray>\n", step->value);
+        out.text(fmt::runtime(array), "Int32", "StepNumber", 2);
+        out.text("{} {}</DataArray>\n", step->step, step->substep);
+        write_text_array_head(out, "StepKind", 1);
+        write_letters(out, word(step->kind));
+        out.text("</Array>\n");
     }
-    out.text("</Array>\n</FieldData>\n");
+    if (!mesh.parts.empty()) {
+        write_text_array_head(out, "PartNames", mesh.parts.size());
+        for (const Part& part : mesh.parts) write_letters(out, part.name);
+        out.text("</Array>\n");
+    }
+    out.text("</FieldData>\n");
 }
 
 }  // namespace
 
-void write_vtu(const std::string& path, const Mesh& mesh, std::span<const Result> results) {
+void write_vtu(const std::string& path, const Mesh& mesh, std::span<const Result> results, const Step* step) {
     ResultArrays data(mesh);
     data.points.push_back(node_ids_array(mesh));
     data.cells = cell_data_arrays(mesh);
@@ -344,7 +363,7 @@ void write_vtu(const std::string& path, const Mesh& mesh, std::span<const Result
     std::uint64_t offset = 0;
     out.text("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\"");
     out.text(" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n");
-    write_part_names(out, mesh);
+    write_field_data(out, mesh, step);
     out.text("<Piece NumberOfPoints=\"{}\"", mesh.node_count());
     out.text(" NumberOfCells=\"{}\">\n", mesh.element_count());
     write_heads(out, "PointData", data.points, offset);

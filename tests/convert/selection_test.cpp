@@ -27,7 +27,7 @@ using testing::ElementsAre;
 
 std::vector<std::size_t> steps_of(const MadeUpSource& source, std::string_view text) {
     Diagnostics diagnostics;
-    return select_steps(source, text, DefaultSteps::UpToTwenty, diagnostics);
+    return select_steps(source.steps(), text, DefaultSteps::UpToTwenty, diagnostics);
 }
 
 TEST(Steps, up_to_twenty_are_all_taken) {
@@ -45,7 +45,7 @@ TEST(Steps, of_more_than_twenty_the_last_of_each_load_step_and_every_mode_stay) 
     source.add(1, 1, 2, StepKind::Mode);
     Diagnostics diagnostics;
 
-    const auto steps = select_steps(source, "", DefaultSteps::UpToTwenty, diagnostics);
+    const auto steps = select_steps(source.steps(), "", DefaultSteps::UpToTwenty, diagnostics);
 
     EXPECT_THAT(steps, ElementsAre(14, 29, 30, 31));
     EXPECT_TRUE(diagnostics.has(Code::StepsLeftOut));

@@ -166,6 +166,20 @@ TEST(Ply, has_one_property_a_component_and_reads_back_to_the_same_bits) {
     EXPECT_EQ(element, 1);
 }
 
+TEST(Ply, says_its_step_but_not_a_label_that_could_end_the_line) {
+    const Mesh mesh = test::one_element(ElementType::Tri3);
+    Diagnostics diagnostics;
+    const Surface surface = make_skin(mesh, {}, diagnostics);
+    const std::string path = test::scratch_folder("write_ply_step") + "/tri.ply";
+    const Step step{0, 2, 3, StepKind::Time, 720.5, "x\nend_header"};
+
+    write_ply(path, mesh, surface, {}, &step);
+
+    const std::string file = test::read_file(path);
+    EXPECT_THAT(file, HasSubstr("\ncomment step 2.3, time, value 720.5\nelement vertex"));
+    EXPECT_EQ(file.find("end_header"), file.rfind("end_header"));
+}
+
 TEST(Ply, an_id_beyond_32_bits_is_a_double) {
     Mesh mesh = test::one_element(ElementType::Tri3);
     mesh.blocks[0].ids[0] = ElementId{5'000'000'000};
@@ -198,7 +212,8 @@ void write_case(
     Diagnostics diagnostics;
     const Surface surface = make_skin(mesh, {}, diagnostics);
     const std::string base = folder + "/" + name;
-    write_vtu(base + ".vtu", mesh, results);
+    const Step step{0, 2, 3, StepKind::Time, 720.5, ""};
+    write_vtu(base + ".vtu", mesh, results, &step);
     std::string facts = fmt::format(
         "points {}\ncells {}\nvolume {}\nfacets {}\nlinear {}\nvertices {}\ntriangles {}\n",
         mesh.node_count(),
@@ -219,7 +234,7 @@ void write_case(
         if (at_points)
             fields.push_back({result.info.name, result.info.components, carry(mesh, surface, result)});
     }
-    write_ply(base + ".ply", mesh, surface, fields);
+    write_ply(base + ".ply", mesh, surface, fields, &step);
     std::string ids;
     for (const NodeId id : mesh.node_ids) ids += fmt::format("{} ", raw(id));
     test::write_file(base + ".facts", facts + "node_ids " + ids + "\n");
