@@ -81,7 +81,7 @@ Claim check_counts(const Mesh& mesh, const Scene& scene, const Job& job) {
     for (const auto& [name, number] : wanted) {
         const auto claimed = scene.certificate_numbers.find(name);
         const bool stands = claimed != scene.certificate_numbers.end();
-        tally.count(stands && claimed->second == number, [&] {
+        tally.count(stands && claimed->second == number, [&, name = name, number = number] {
             return fmt::format(
                 "{} is {} by the inputs, not {}",
                 name,
@@ -91,7 +91,9 @@ Claim check_counts(const Mesh& mesh, const Scene& scene, const Job& job) {
         });
     }
     for (const auto& [name, number] : scene.certificate_numbers) {
-        tally.count(wanted.contains(name), [&] { return fmt::format("the inputs have no {}", name); });
+        tally.count(wanted.contains(name), [&, name = name] {
+            return fmt::format("the inputs have no {}", name);
+        });
     }
     return tally.claim();
 }

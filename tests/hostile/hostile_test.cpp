@@ -49,7 +49,7 @@ std::uint64_t seed_of(const std::string& text) {
 }
 
 /// Opens and uses; empty when that ended as it must.
-std::string attempt(std::vector<NamedBytes> files) {
+std::string attempt(std::vector<NamedBytes> files, const ReadOptions& options = {}) {
     // Processor time: a busy machine must not fail it. A sleep for ever is left to CTest's timeout.
     const std::clock_t start = std::clock();
     test::reset_peak_memory();
@@ -57,7 +57,7 @@ std::string attempt(std::vector<NamedBytes> files) {
     std::string wrong;
     try {
         Diagnostics diagnostics;
-        const auto model = open_model(std::move(files), {}, diagnostics);
+        const auto model = open_model(std::move(files), options, diagnostics);
         wrong = test::exercise(*model);
     } catch (const Error& error) {
         if (std::string(error.what()).size() < 10) wrong = "an error without words";
@@ -209,6 +209,25 @@ TEST_F(Hostile, past_troubles_stay_past) {
         EXPECT_EQ(attempt({{entry.path().string(), test::read_file(entry.path().string())}}), "")
             << entry.path();
     }
+}
+
+/// tests/data/fuzz_corpus/fuzz_<reader>: what a fuzzer found to reach the most code of that reader.
+TEST_F(Hostile, inputs_that_fuzzing_found_are_survived_by_their_reader) {
+    const std::string root = test::project_file("tests/data/fuzz_corpus");
+    if (!fs::is_directory(root)) GTEST_SKIP() << "no fuzzer has run yet";
+    std::size_t tried = 0;
+    for (const ReadFormat& format : read_format_list()) {
+        const fs::path folder = fs::path(root) / ("fuzz_" + std::string(format.info.id));
+        if (!fs::is_directory(folder)) continue;
+        for (const auto& entry : fs::directory_iterator(folder)) {
+            ReadOptions options;
+            if (format.info.has_mesh) options.from = format.info.id;
+            EXPECT_EQ(attempt({{"fuzz", test::read_file(entry.path().string())}}, options), "")
+                << entry.path();
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, 0U);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -186,6 +187,16 @@ TEST(TextEncoding, utf16_of_either_byte_order_and_marked_utf8_become_plain_utf8)
 TEST(TextEncoding, half_a_surrogate_becomes_the_replacement_character) {
     const Input input = Input::from_memory("x", "\xFF\xFE\x3D\xD8"s + "a\0"s + "\x42\xDE"s + "b"s);
     EXPECT_EQ(without_encoding(input).text(), "\xEF\xBF\xBD"s + "a" + "\xEF\xBF\xBD");
+}
+
+TEST(OpenModel, every_reader_has_a_fuzz_harness) {
+    std::string list = test::read_file(test::project_file("fuzz/CMakeLists.txt"));
+    const std::size_t begin = list.find("set(formats ");
+    ASSERT_NE(begin, std::string::npos);
+    list = list.substr(begin, list.find(')', begin) - begin) + " ";
+    std::ranges::replace(list, '\n', ' ');
+    for (const ReadFormatInfo& format : read_formats())
+        EXPECT_THAT(list, HasSubstr(" " + std::string(format.id) + " ")) << "see fuzz/CMakeLists.txt";
 }
 
 TEST(IncludeFiles, finds_a_file_beside_the_deck_and_remembers_it_once) {
