@@ -2,6 +2,7 @@
 // The list of readers: a new one is a folder beside this file and one line here.
 #include "read/ansys/ansys_lists.hpp"
 #include "read/calculix/calculix_frd.hpp"
+#include "read/nastran/nastran_op2.hpp"
 #include "read/read_format.hpp"
 
 #include <vector>
@@ -12,6 +13,7 @@ std::span<const ReadFormat> read_format_list() {
     static const std::vector<ReadFormat> list{
         calculix_frd_format(),
         ansys_lists_format(),
+        nastran_op2_format(),
     };
     return list;
 }

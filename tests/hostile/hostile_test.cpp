@@ -190,6 +190,12 @@ TEST_F(Hostile, corpus_of_ansys_cut_and_damaged_is_survived) {
     expect_survival_below(*corpus);
 }
 
+TEST_F(Hostile, corpus_of_nastran_cut_and_damaged_is_survived) {
+    const auto corpus = test::corpus_file("nastran");
+    if (!corpus) GTEST_SKIP() << "the corpus is not here";
+    expect_survival_below(*corpus);
+}
+
 TEST_F(Hostile, corpus_of_boilers_cut_and_damaged_is_survived) {
     if (std::getenv("FEELEM_HOSTILE") == nullptr) GTEST_SKIP() << "the shipped ones are like them";
     const auto corpus = test::corpus_file("boiler");

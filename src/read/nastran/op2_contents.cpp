@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read/nastran/op2_contents.hpp"
+
+#include "read/nastran/op2_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace feelem::op2 {
+namespace {
+
+/// Tables of results: O..., and B... for those in the basic system. All others hold the deck.
+bool is_result_table(const Table& table) {
+    return !table.matrix && (table.name.starts_with('O') || table.name.starts_with("BO"));
+}
+
+constexpr int kMpcForceCode = 39;
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    std::ranges::transform(out, out.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    });
+    return out;
+}
+
+class Lister {
+public:
+    Lister(const Input& input, const Layout& layout, Diagnostics& diagnostics)
+        : input_(input), layout_(layout), diagnostics_(diagnostics) {}
+
+    Contents list() {
+        for (const Table& table : layout_.tables) {
+            if (is_result_table(table)) list_table(table);
+        }
+        contents_.steps = steps_.finish();
+        for (const NodalBlock& block : contents_.nodal) {
+            const auto kind = nodal_kind(block.ident);
+            if (kind) list_nodal(block, *kind);
+        }
+        return std::move(contents_);
+    }
+
+private:
+    /// Idents and data take turns; a block without data has its ident alone.
+    void list_table(const Table& table) {
+        std::uint64_t unused = 0;
+        by_node_.clear();
+        for (std::size_t i = table.first_record; i < table.last_record; ++i) {
+            const auto ident = read_ident(record_words(input_, layout_, i, scratch_));
+            if (!ident) {
+                ++unused;
+                continue;
+            }
+            const bool has_data = i + 1 < table.last_record;
+            if (!has_data || layout_.record_bytes(i + 1) == 0) {
+                diagnostics_.add(
+                    Code::EmptyResult, input_.name(), table.name + " has a block without values"
+                );
+                continue;
+            }
+            const Words texts = record_words(input_, layout_, i, scratch_);
+            ++i;
+            if (nodal_kind(*ident)) {
+                list_block(table, *ident, texts, i);
+            } else {
+                ++unused;
+            }
+        }
+        if (unused > 0 || table.first_record == table.last_record) report_unused(table, unused);
+    }
+
+    void report_unused(const Table& table, std::uint64_t blocks) {
+        if (blocks == 0) return;
+        diagnostics_.add(
+            Code::UnknownBlock,
+            input_.name(),
+            fmt::format("table {} holds blocks that Feelem does not use", table.name),
+            blocks
+        );
+    }
+
+    void list_block(const Table& table, Ident ident, const Words& ident_words, std::size_t record) {
+        // NX gives the forces of multipoint constraints the code of those of single-point ones.
+        if (table.name.starts_with("OQM")) ident.table_code = kMpcForceCode;
+        const Texts texts = read_texts(ident_words);
+        if (contents_.title.empty()) contents_.title = texts.title;
+        if (ident.sort2) {
+            list_sorted_by_node(table, ident, texts, record);
+            return;
+        }
+        NodalBlock block{ident, step_of(ident), table.name, {record}, {}, 0};
+        if (is_written_before(block)) return;
+        steps_.add(block.step, value_of(ident, block.step), texts);
+        contents_.nodal.push_back(std::move(block));
+    }
+
+    /// Some runs write a table twice, byte for byte.
+    bool is_written_before(const NodalBlock& block) {
+        const auto key = std::tuple(block.table, block.ident.table_code, block.step);
+        const auto [found, is_new] = written_.try_emplace(key, block.records.front());
+        if (is_new || layout_.record_bytes(found->second) != layout_.record_bytes(block.records.front()))
+            return false;
+        std::vector<std::byte> scratch;
+        const Words before = record_words(input_, layout_, found->second, scratch);
+        const Words now = record_words(input_, layout_, block.records.front(), scratch_);
+        return std::ranges::equal(before.bytes(), now.bytes());
+    }
+
+    /// The first node's rows say which steps there are.
+    void list_sorted_by_node(const Table& table, const Ident& ident, const Texts& texts, std::size_t record) {
+        const auto key = std::tuple(ident.subcase, ident.approach, ident.table_code, ident.row_words);
+        auto [found, is_new] = by_node_.try_emplace(key);
+        std::vector<std::size_t>& blocks = found->second;
+        if (is_new) {
+            NodalBlock block{ident, {}, table.name, {}, {}, 0};
+            const std::size_t width = block.row_words();
+            const Words words = record_words(input_, layout_, record, scratch_);
+            for (std::size_t at = 0; at + width <= words.count(); at += width) {
+                block.step = step_of_row(ident, words.part(at, width));
+                block.row = at / width;
+                steps_.add(block.step, block.step.value, texts);
+                blocks.push_back(contents_.nodal.size());
+                contents_.nodal.push_back(block);
+            }
+        }
+        for (const std::size_t i : blocks) {
+            contents_.nodal[i].records.push_back(record);
+            contents_.nodal[i].nodes.push_back(ident.integer5 / 10);
+        }
+    }
+
+    void list_nodal(const NodalBlock& block, const NodalKind& kind) {
+        const auto index = static_cast<std::size_t>(&block - contents_.nodal.data());
+        const bool is_scalar = kind.rotation.empty();
+        constexpr std::size_t kDegrees = 6;
+        for (std::size_t part = 0; part < (block.is_complex() ? 2U : 1U); ++part) {
+            add(index, kind.name, part * kDegrees, part, is_scalar);
+        }
+        if (is_scalar) return;
+        for (std::size_t part = 0; part < (block.is_complex() ? 2U : 1U); ++part) {
+            add(index, kind.rotation, part * kDegrees + 3, part, false);
+        }
+    }
+
+    void add(std::size_t index, std::string_view name, std::size_t first, std::size_t part, bool is_scalar) {
+        const NodalBlock& block = contents_.nodal[index];
+        Listed listed;
+        listed.block = index;
+        listed.first = first;
+        ResultInfo& info = listed.info;
+        info.solver_name = block.table;
+        info.step = steps_.index_of(block.step);
+        info.location = Location::Nodal;
+        info.shape = is_scalar ? Shape::Scalar : Shape::Vector;
+        info.components =
+            is_scalar ? std::vector<std::string>{"value"} : std::vector<std::string>{"x", "y", "z"};
+        constexpr int kMagnitudeAndPhase = 3;
+        if (block.is_complex()) {
+            const bool polar = block.ident.format == kMagnitudeAndPhase;
+            info.complex = part == 0 ? (polar ? Complex::Amplitude : Complex::Real)
+                                     : (polar ? Complex::Phase : Complex::Imaginary);
+        }
+        info.name = unique_name(info, name);
+        contents_.results.push_back(std::move(listed));
+    }
+
+    /// The same again in one step (another frame, another order) is known by its table.
+    std::string unique_name(const ResultInfo& info, std::string_view name) {
+        const auto take = [&](const std::string& one) {
+            return names_.emplace(info.step, info.complex, one).second;
+        };
+        if (take(std::string(name))) return std::string(name);
+        const std::string with_table = fmt::format("{}_{}", name, lower(info.solver_name));
+        if (take(with_table)) return with_table;
+        for (int number = 2;; ++number) {
+            std::string numbered = fmt::format("{}_{}", with_table, number);
+            if (take(numbered)) return numbered;
+        }
+    }
+
+    const Input& input_;
+    const Layout& layout_;
+    Diagnostics& diagnostics_;
+    Contents contents_;
+    StepList steps_;
+    std::map<std::tuple<std::int32_t, int, int, std::size_t>, std::vector<std::size_t>> by_node_;
+    std::set<std::tuple<std::uint32_t, Complex, std::string>> names_;
+    std::map<std::tuple<std::string, int, StepKey>, std::size_t> written_;
+    std::vector<std::byte> scratch_;
+};
+
+}  // namespace
+
+Contents list_contents(const Input& input, const Layout& layout, Diagnostics& diagnostics) {
+    return Lister(input, layout, diagnostics).list();
+}
+
+}  // namespace feelem::op2

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read/nastran/op2_nodal.hpp"
+
+#include "model/node_lookup.hpp"
+
+#include "feelem/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace feelem::op2 {
+namespace {
+
+constexpr std::size_t kFirstNumber = 2;  ///< After id * 10 + device and the kind of point.
+constexpr std::size_t kRealRow = 8;
+constexpr std::size_t kComplexRow = 14;
+
+struct KindRow {
+    int code;
+    NodalKind structural;
+    NodalKind thermal;  ///< Without a name: not known.
+};
+constexpr KindRow kKinds[]{
+    {1, {"displacement", "rotation"}, {"temperature", {}}},
+    {2, {"applied_force", "applied_moment"}, {"applied_heat_flow", {}}},
+    {3, {"reaction_force", "reaction_moment"}, {"reaction_heat_flow", {}}},
+    {7, {"displacement", "rotation"}, {}},
+    {10, {"velocity", "angular_velocity"}, {"temperature_rate", {}}},
+    {11, {"acceleration", "angular_acceleration"}, {"temperature_acceleration", {}}},
+    {39, {"mpc_force", "mpc_moment"}, {"mpc_heat_flow", {}}},
+};
+
+class RowReader {
+public:
+    RowReader(const Input& input, const Layout& layout, const NodalBlock& block)
+        : input_(input), layout_(layout), block_(block) {}
+
+    /// Calls each(id, row) for the rows of the block's step.
+    template <class Each>
+    void rows(const Each& each) {
+        const std::size_t width = block_.row_words();
+        for (std::size_t i = 0; i < block_.records.size(); ++i) {
+            const Words words = record_words(input_, layout_, block_.records[i], scratch_);
+            if (words.count() % width != 0) bad_length(i, words.count());
+            if (block_.nodes.empty()) {
+                for (std::size_t at = 0; at < words.count(); at += width) {
+                    const Words row = words.part(at, width);
+                    each(NodeId{row.integer(0) / 10}, row);
+                }
+            } else if (const auto at = row_of_step(words, width)) {
+                each(NodeId{block_.nodes[i]}, words.part(*at, width));
+            }
+        }
+    }
+
+private:
+    [[noreturn]] void bad_length(std::size_t i, std::size_t words) const {
+        const auto segments = layout_.record(block_.records[i]);
+        throw Error(
+            Code::BadStructure,
+            input_.where_byte(segments.empty() ? 0 : segments.front().first),
+            fmt::format(
+                "{} has {} words of data where each row needs {}", block_.table, words, block_.row_words()
+            )
+        );
+    }
+
+    /// Steps stand in the same order under each node as a rule, but a node may lack some.
+    std::optional<std::size_t> row_of_step(const Words& words, std::size_t width) const {
+        const auto fits = [&](std::size_t at) {
+            return at < words.count() && step_of_row(block_.ident, words.part(at, width)) == block_.step;
+        };
+        if (fits(block_.row * width)) return block_.row * width;
+        for (std::size_t at = 0; at < words.count(); at += width) {
+            if (fits(at)) return at;
+        }
+        return {};
+    }
+
+    const Input& input_;
+    const Layout& layout_;
+    const NodalBlock& block_;
+    std::vector<std::byte> scratch_;
+};
+
+}  // namespace
+
+std::optional<NodalKind> nodal_kind(const Ident& ident) {
+    constexpr int kHeatTransfer = 1;
+    if (ident.random || (ident.thermal != 0 && ident.thermal != kHeatTransfer)) return {};
+    if (ident.row_words != kRealRow && ident.row_words != kComplexRow) return {};
+    for (const KindRow& kind : kKinds) {
+        if (kind.code != ident.table_code) continue;
+        const NodalKind& found = ident.thermal == kHeatTransfer ? kind.thermal : kind.structural;
+        if (!found.name.empty()) return found;
+    }
+    return {};
+}
+
+bool NodalBlock::is_complex() const {
+    return ident.row_words == kComplexRow;
+}
+
+NodalValues read_nodal(
+    const Input& input,
+    const Layout& layout,
+    const NodalBlock& block,
+    const Mesh& mesh,
+    std::size_t first,
+    std::size_t columns
+) {
+    NodalValues out;
+    out.values.assign(mesh.node_count() * columns, std::numeric_limits<float>::quiet_NaN());
+    const NodeLookup lookup(mesh.node_ids);
+    RowReader(input, layout, block).rows([&](NodeId id, const Words& row) {
+        ++out.rows;
+        const NodeIndex node = lookup(id);
+        if (node == kNoNode) {
+            ++out.without_node;
+            return;
+        }
+        for (std::size_t c = 0; c < columns; ++c) {
+            const auto value = static_cast<float>(row.real(kFirstNumber + first + c));
+            if (std::isfinite(value)) out.values[raw(node) * columns + c] = value;
+            if (!std::isfinite(value)) ++out.without_number;
+        }
+    });
+    return out;
+}
+
+void collect_ids(
+    const Input& input, const Layout& layout, const NodalBlock& block, std::vector<NodeId>& ids
+) {
+    RowReader(input, layout, block).rows([&](NodeId id, const Words&) { ids.push_back(id); });
+}
+
+std::uint64_t row_count(const Layout& layout, const NodalBlock& block) {
+    if (!block.nodes.empty()) return block.nodes.size();
+    std::uint64_t rows = 0;
+    for (const std::size_t record : block.records)
+        rows += layout.record_bytes(record) / layout.form.size / block.row_words();
+    return rows;
+}
+
+}  // namespace feelem::op2

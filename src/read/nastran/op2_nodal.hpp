@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables with a row for each grid or scalar point: displacements, temperatures, forces.
+#pragma once
+
+#include "read/nastran/op2_ident.hpp"
+#include "read/nastran/op2_records.hpp"
+
+#include "feelem/mesh.hpp"
+#include "feelem/result.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace feelem::op2 {
+
+/// What a table code means, in docs/cli.md's names. Six numbers a row: translations, then rotations.
+struct NodalKind {
+    std::string_view name;
+    std::string_view rotation;
+};
+/// Nothing when the table lists no grid points that Feelem knows.
+std::optional<NodalKind> nodal_kind(const Ident& ident);
+
+/// One step's rows: a whole record when the table is sorted by step, else one row of each of several records.
+struct NodalBlock {
+    Ident ident;
+    StepKey step;
+    std::string table;
+    std::vector<std::size_t> records;  ///< Of data.
+    std::vector<std::int64_t> nodes;   ///< Sorted by node: one a record; else empty.
+    std::size_t row = 0;               ///< Sorted by node: which row of each record, as a rule.
+
+    /// Tables whose name starts with B are in the basic system, all others in the grids' own.
+    bool is_basic() const { return table.starts_with('B'); }
+    bool is_complex() const;
+    std::size_t row_words() const { return is_complex() ? 14 : 8; }
+};
+
+struct NodalValues {
+    std::vector<float> values;  ///< Rows of the mesh x columns.
+    std::uint64_t rows = 0;
+    std::uint64_t without_node = 0;
+    std::uint64_t without_number = 0;
+};
+/// `columns` numbers of each row from number `first` on (0 is T1). Throws Error(BadStructure).
+NodalValues read_nodal(
+    const Input& input,
+    const Layout& layout,
+    const NodalBlock& block,
+    const Mesh& mesh,
+    std::size_t first,
+    std::size_t columns
+);
+
+/// Adds the ids that the block lists to `ids`.
+void collect_ids(const Input& input, const Layout& layout, const NodalBlock& block, std::vector<NodeId>& ids);
+
+/// How many rows the block has.
+std::uint64_t row_count(const Layout& layout, const NodalBlock& block);
+
+}  // namespace feelem::op2

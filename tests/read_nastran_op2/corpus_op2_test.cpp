@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Real .op2 files of several solvers against the answers of another reader.
+#include "read_nastran_op2/op2_answers.hpp"
+#include "support/exercise.hpp"
+#include "support/paths.hpp"
+
+#include "feelem/error.hpp"
+#include "feelem/read.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace feelem {
+namespace {
+
+std::unique_ptr<ModelSource> open_alone(const std::string& path, Diagnostics& diagnostics) {
+    const std::string file = test::corpus_file("nastran/" + path).value();
+    std::vector<NamedBytes> files{{path, test::read_file(file)}};
+    return open_model(std::move(files), {}, diagnostics);
+}
+
+/// OUGV1 stands in this file twice, byte for byte.
+constexpr const char* kWritesTablesTwice = "models/sol_101_elements/transient_solid_shell_bar.op2";
+
+TEST(NastranOp2, every_answer_of_the_corpus_agrees) {
+    const auto answers = test::corpus_file("nastran/answers.json");
+    if (!answers) GTEST_SKIP() << "the corpus is not here";
+    std::size_t compared = 0;
+    for (const test::Op2File& file : test::read_op2_answers(*answers)) {
+        SCOPED_TRACE(file.path);
+        if (file.answers.empty()) continue;
+        Diagnostics diagnostics;
+        const auto model = open_alone(file.path, diagnostics);
+        EXPECT_EQ(test::exercise(*model), "");
+        for (test::Op2Answer answer : file.answers) {
+            // The other reader counts both copies.
+            if (file.path == kWritesTablesTwice) answer.step_count /= 2;
+            SCOPED_TRACE(answer.result + " of subcase " + std::to_string(answer.subcase));
+            test::expect_answer(*model, answer);
+            ++compared;
+        }
+    }
+    EXPECT_EQ(compared, 130U);
+}
+
+TEST(NastranOp2, a_table_that_is_written_twice_is_listed_once) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    Diagnostics diagnostics;
+    const auto model = open_alone(kWritesTablesTwice, diagnostics);
+    const auto is_displacement = [](const ResultInfo& info) { return info.name.starts_with("displacement"); };
+    EXPECT_EQ(std::ranges::count_if(model->results(), is_displacement), 21);
+}
+
+TEST(NastranOp2, text_op2_is_refused_with_a_hint) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    Diagnostics diagnostics;
+    try {
+        open_alone("models/plate/plate_formatted.op2", diagnostics);
+        FAIL() << "was read";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::BadStructure);
+        EXPECT_NE(std::string(error.what()).find("UNFORM"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace feelem
