@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of readers: a new one is a folder beside this file and one line here.
+#include "read/ansys/ansys_cdb.hpp"
 #include "read/ansys/ansys_lists.hpp"
 #include "read/calculix/calculix_frd.hpp"
 #include "read/nastran/nastran_op2.hpp"
@@ -12,6 +13,7 @@ namespace feelem {
 std::span<const ReadFormat> read_format_list() {
     static const std::vector<ReadFormat> list{
         calculix_frd_format(),
+        ansys_cdb_format(),
         ansys_lists_format(),
         nastran_op2_format(),
     };

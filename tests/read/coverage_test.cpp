@@ -174,6 +174,8 @@ TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
         "A result that stands in several steps is counted.\n\n";
     page += "## CalculiX: the solver's own test suite\n\n";
     page += table_of(single_files(corpus, "calculix/test", ".frd.ref"), corpus, unsound);
+    page += "## Ansys: archives of commands\n\n";
+    page += table_of(single_files(corpus, "ansys/cdb", ""), corpus, unsound);
     page += "## Ansys: text lists\n\nA folder is one model; excerpts are single pages.\n\n";
     page += table_of(folders(corpus, "ansys/lists"), corpus, unsound);
     page += "## Ansys Mechanical: exported tables\n\n";

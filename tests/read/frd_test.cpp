@@ -98,13 +98,13 @@ TEST(FrdFields, whatever_is_not_plain_is_left_to_the_general_parser) {
 
 TEST(FrdFields, integers_are_blanks_then_digits_and_nothing_else) {
     std::int64_t value = 0;
-    EXPECT_TRUE(frd::fast_integer("         7", 10, value));
+    EXPECT_TRUE(fast_integer("         7", 10, value));
     EXPECT_EQ(value, 7);
-    EXPECT_TRUE(frd::fast_integer("  12345678", 10, value));
+    EXPECT_TRUE(fast_integer("  12345678", 10, value));
     EXPECT_EQ(value, 12345678);
-    EXPECT_TRUE(frd::fast_integer("1234567890", 10, value));
+    EXPECT_TRUE(fast_integer("1234567890", 10, value));
     EXPECT_EQ(value, 1234567890);
-    EXPECT_TRUE(frd::fast_integer("00042", 5, value));
+    EXPECT_TRUE(fast_integer("00042", 5, value));
     EXPECT_EQ(value, 42);
     for (const char* bad :
          {"          ",
@@ -115,7 +115,7 @@ TEST(FrdFields, integers_are_blanks_then_digits_and_nothing_else) {
           "  1234567 ",
           "  pppppppp",
           "    0000 0"}) {
-        EXPECT_FALSE(frd::fast_integer(bad, 10, value)) << bad;
+        EXPECT_FALSE(fast_integer(bad, 10, value)) << bad;
     }
 }
 

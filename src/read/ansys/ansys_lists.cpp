@@ -2,6 +2,7 @@
 // A set of lists as a ModelSource: heads are found on opening, values read on demand.
 #include "read/ansys/ansys_lists.hpp"
 
+#include "read/ansys/element_adder.hpp"
 #include "read/ansys/list_heads.hpp"
 #include "read/ansys/list_mesh.hpp"
 #include "read/ansys/list_results.hpp"

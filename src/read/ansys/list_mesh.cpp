@@ -2,17 +2,17 @@
 #include "read/ansys/list_mesh.hpp"
 
 #include "model/mesh_builder.hpp"
+#include "read/ansys/ansys_units.hpp"
+#include "read/ansys/element_adder.hpp"
 #include "read/ansys/list_results.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <unordered_set>
 #include <utility>
 
 namespace feelem::ansys {
@@ -61,151 +61,6 @@ bool same_bits(const Point3& a, const Point3& b) {
     });
 }
 
-/// Whether an element id was there before: cheap as long as ids ascend.
-class SeenIds {
-public:
-    bool insert(std::int64_t id) {
-        if (set_.empty() && (ids_.empty() || id > ids_.back())) {
-            ids_.push_back(id);
-            return true;
-        }
-        if (set_.empty()) set_.insert(ids_.begin(), ids_.end());
-        return set_.insert(id).second;
-    }
-
-private:
-    std::vector<std::int64_t> ids_;
-    std::unordered_set<std::int64_t> set_;
-};
-
-/// Element rows of all lists into the builder.
-class ElementAdder {
-public:
-    ElementAdder(MeshBuilder& builder, TypeTable types, Diagnostics& diagnostics)
-        : builder_(builder), types_(std::move(types)), diagnostics_(diagnostics) {}
-
-    void add(const ListFile& file, const ElementRowIds& row) {
-        const auto where = [&] { return file.input.where_line(row.offset); };
-        if (!seen_.insert(row.id)) {
-            diagnostics_.add(
-                Code::DuplicateElement, where, "elements are listed more than once; the first counts"
-            );
-            return;
-        }
-        const TypeShape& type = type_of(row.type);
-        const auto shape = shape_of(type, row.nodes.size());
-        if (!shape) {
-            leave_out(row, type, where);
-            return;
-        }
-        warn_of_extra_nodes(row, type, where);
-        for (std::size_t i = 0; i < shape->nodes; ++i) nodes_[i] = NodeId{row.nodes[i]};
-        builder_.add_element(
-            ElementId{row.id},
-            shape->type,
-            std::span(nodes_).first(shape->nodes),
-            part_of(row.material),
-            where
-        );
-    }
-
-    /// An element that only a list of its values names: its corners, in the order of their rows.
-    void add_named(
-        const ListFile& file,
-        std::int64_t id,
-        std::string_view name,
-        std::span<const std::int64_t> nodes,
-        std::size_t offset
-    ) {
-        if (!seen_.insert(id)) return;  // By another list of values.
-        TypeShape type;
-        type.name = name;
-        type.element = find_element(name);
-        const auto where = [&] { return file.input.where_line(offset); };
-        const auto shape = shape_of(type, nodes.size());
-        if (!shape) {
-            ElementRowIds row;
-            row.nodes = nodes;
-            leave_out(row, type, where);
-            return;
-        }
-        for (std::size_t i = 0; i < shape->nodes; ++i) nodes_[i] = NodeId{nodes[i]};
-        builder_.add_element(
-            ElementId{id},
-            shape->type,
-            std::span(nodes_).first(shape->nodes),
-            builder_.part("elements"),
-            where
-        );
-    }
-
-private:
-    const TypeShape& type_of(std::int64_t number) {
-        if (number != last_type_ || type_ == nullptr) {
-            last_type_ = number;
-            const bool fits = number <= std::numeric_limits<std::int32_t>::max();
-            type_ = &types_[fits ? static_cast<int>(number) : std::numeric_limits<std::int32_t>::max()];
-        }
-        return *type_;
-    }
-
-    PartIndex part_of(std::int64_t material) {
-        if (material != last_material_) {
-            last_material_ = material;
-            part_ = builder_.part(part_name(material));
-        }
-        return part_;
-    }
-
-    void leave_out(const ElementRowIds& row, const TypeShape& type, const MeshBuilder::Where& where) {
-        const std::string name = type.name.empty() ? fmt::format("type {}", row.type) : type.name;
-        builder_.skip_element(name);
-        const bool has_no_surface = type.element && !is_drawn(type.element->kind);
-        if (has_no_surface && type.element->kind != ElementKind::Revolved) return;
-        const std::string why = !type.element ? "Feelem does not know this type"
-                                : has_no_surface
-                                    ? "solids of revolution are not drawn"
-                                    : fmt::format("{} nodes make no such element", row.nodes.size());
-        diagnostics_.add(
-            Code::UnknownElementType, where, fmt::format("{} elements are left out: {}", name, why)
-        );
-    }
-
-    /// Beams list a node more, that of their orientation. A solid or a shell that does is of another type.
-    void warn_of_extra_nodes(
-        const ElementRowIds& row, const TypeShape& type, const MeshBuilder::Where& where
-    ) {
-        if (!type.element || type.element->kind == ElementKind::Line ||
-            type.element->kind == ElementKind::MeshOnly)
-            return;
-        const std::size_t most = element_row(type.element->type).node_count;
-        if (row.nodes.size() <= most) return;
-        diagnostics_.add(
-            Code::GuessedElementType,
-            where,
-            fmt::format(
-                "elements of type {} list {} nodes, but {} has {}: the others are not used. Does the type "
-                "list "
-                "(--types, ETLIST) belong to these elements?",
-                row.type,
-                row.nodes.size(),
-                type.element->name,
-                most
-            )
-        );
-    }
-
-    MeshBuilder& builder_;
-    TypeTable types_;
-    Diagnostics& diagnostics_;
-    SeenIds seen_;
-    std::array<NodeId, kMaxElementNodes> nodes_{};
-    std::int64_t last_type_ = -1;
-    const TypeShape* type_ = nullptr;
-    std::int64_t last_material_ = -1;
-    PartIndex part_{};
-};
-
 /// Elements out of PRESOL listings, when no list of elements is there.
 void add_elements_of_values(std::span<const ListFile> files, ElementAdder& adder) {
     for (const ListFile& file : files) {
@@ -217,7 +72,7 @@ void add_elements_of_values(std::span<const ListFile> files, ElementAdder& adder
                 const std::size_t layers = count_layers(nodes);
                 if (!nodes.empty()) {
                     adder.add_named(
-                        file,
+                        file.input,
                         current.element,
                         current.element_type,
                         std::span(nodes).first(nodes.size() / layers),
@@ -238,28 +93,7 @@ void add_elements_of_values(std::span<const ListFile> files, ElementAdder& adder
     }
 }
 
-std::optional<LengthUnit> length_unit(const std::string& name) {
-    struct Row {
-        std::string_view name;
-        double metres;
-    };
-    constexpr std::array kUnits{
-        Row{"m", 1},
-        Row{"mm", 0.001},
-        Row{"cm", 0.01},
-        Row{"in", 0.0254},
-        Row{"ft", 0.3048},
-        Row{"um", 1e-6}};
-    const auto* found = std::ranges::find(kUnits, name, &Row::name);
-    if (found == kUnits.end()) return std::nullopt;
-    return LengthUnit{name, found->metres};
-}
-
 }  // namespace
-
-std::string part_name(std::int64_t material) {
-    return fmt::format("material {}", material);
-}
 
 ListedNodes collect_nodes(std::span<const ListFile> files, Diagnostics& diagnostics) {
     ListedNodes nodes;
@@ -363,7 +197,7 @@ Mesh build_mesh(
         for (const List& list : file.lists) {
             if (list.kind != ListKind::Elements || !list.has_nodes) continue;
             for_each_element(file, list, &diagnostics, [&](const ElementRowIds& row) {
-                adder.add(file, row);
+                adder.add(file.input, row);
             });
         }
     }

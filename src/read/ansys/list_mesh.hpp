@@ -43,6 +43,4 @@ Mesh build_mesh(
     Diagnostics& diagnostics
 );
 
-std::string part_name(std::int64_t material);
-
 }  // namespace feelem::ansys

@@ -3,6 +3,7 @@
 #include "read/ansys/list_results.hpp"
 
 #include "model/node_lookup.hpp"
+#include "read/ansys/element_adder.hpp"
 #include "read/ansys/list_mesh.hpp"
 
 #include <fmt/format.h>
@@ -124,7 +125,7 @@ private:
             if (file.lists[i].rows == 0) continue;
             const int material = file.lists[i].head.material;
             Table table{false, file_index, i, std::nullopt};
-            if (material != 0) table.part = find_part(mesh_, part_name(material));
+            if (material != 0) table.part = find_part_of_material(mesh_, material);
             (file.lists[i].head.has_layers ? layered : plain).push_back(table);
         }
         const auto where = [&] {

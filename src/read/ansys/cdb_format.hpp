@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Columns of a block's rows: the Fortran format on its second line, and numbers out of such columns.
+#pragma once
+
+#include "base/eight_digits.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace feelem::ansys::cdb {
+
+/// (3i9,6e21.13e3), (1i7,2i9,6e21.13), (19i10), (2i9,19a9): integers, then reals or texts.
+struct RowFormat {
+    std::size_t integers = 0;
+    std::size_t id_width = 0;       ///< Of the first column,
+    std::size_t integer_width = 0;  ///< of the others.
+    std::size_t integers_end = 0;   ///< Where the integers' columns end.
+    std::size_t others = 0;         ///< Reals or texts.
+    std::size_t other_width = 0;
+    std::size_t decimals = 0;
+};
+/// Empty when the line is no such format.
+std::optional<RowFormat> parse_format(std::string_view line);
+
+/// "-1.2345678901234E+000", right-aligned behind blanks: `decimals` digits behind the point, an exponent of
+/// two or three. False: something else; then the caller takes the general way.
+/// Fourteen digits are exact in a double, so digits x 10^e is one rounded operation while |e| <= 22
+/// (Clinger).
+inline bool fast_real(const char* at, std::size_t width, std::size_t decimals, double& out) {
+    const bool wide = decimals == 13;
+    const std::size_t mantissa = wide ? 16 : 12;  // Sign, digit, point, decimals.
+    if ((!wide && decimals != 9) || width < mantissa + 4) return false;
+    const bool three = at[width - 5] == 'E';
+    const std::size_t mark = width - (three ? 5 : 4);
+    if (mark < mantissa || at[mark] != 'E') return false;
+
+    const char* start = at + mark - mantissa;
+    bool plain = true;
+    for (const char* blank = at; blank != start; ++blank) plain = plain && *blank == ' ';
+    std::uint64_t head = 0;
+    if (wide) {  // s d . d d d d d  ->  0 0 d d d d d d
+        const std::uint64_t word = load8(start);
+        head = (word & 0xFFFFFFFFFF000000) | ((word & 0xFF00) << 8) | 0x3030;
+    } else {  // s d . d  ->  0 0 0 0 0 0 d d
+        head = (std::uint64_t{static_cast<unsigned char>(start[3])} << 56) |
+               (std::uint64_t{static_cast<unsigned char>(start[1])} << 48) | 0x303030303030;
+    }
+    const std::uint64_t tail = load8(at + mark - 8);
+    const bool negative = *start == '-';
+    const bool shrinks = at[mark + 1] == '-';
+    const auto hundreds = three ? static_cast<unsigned>(at[mark + 2] - '0') : 0U;
+    const auto tens = static_cast<unsigned>(at[width - 2] - '0');
+    const auto units = static_cast<unsigned>(at[width - 1] - '0');
+    plain = plain & (negative | (*start == ' ')) & (start[2] == '.') & is_eight_digits(head) &
+            is_eight_digits(tail) & (shrinks | (at[mark + 1] == '+')) & (hundreds <= 9) & (tens <= 9) &
+            (units <= 9);
+    const int written = static_cast<int>(hundreds * 100 + tens * 10 + units);
+    const int exponent = (shrinks ? -written : written) - static_cast<int>(decimals);
+    if (!plain || exponent < -22 || exponent > 22) return false;
+    const std::uint64_t digits =
+        value_of_eight_digits(head) * std::uint64_t{100'000'000} + value_of_eight_digits(tail);
+    // One of the two factors is 1, so that there is one rounding.
+    const auto up = static_cast<std::size_t>(exponent > 0 ? exponent : 0);
+    const auto down = static_cast<std::size_t>(exponent < 0 ? -exponent : 0);
+    const double value = static_cast<double>(digits) * kPowersOfTen[up] / kPowersOfTen[down];
+    out = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | (std::uint64_t{negative} << 63));
+    return true;
+}
+
+}  // namespace feelem::ansys::cdb

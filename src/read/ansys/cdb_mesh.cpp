@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read/ansys/cdb_mesh.hpp"
+
+#include "base/number.hpp"
+#include "read/ansys/cdb_rows.hpp"
+#include "read/ansys/element_adder.hpp"
+
+#include "feelem/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace feelem::ansys::cdb {
+namespace {
+
+/// Ids from first to last.
+using IdRange = std::pair<std::int64_t, std::int64_t>;
+
+class MeshReader {
+public:
+    MeshReader(const Deck& deck, TypeTable types, Diagnostics& diagnostics)
+        : deck_(deck), diagnostics_(diagnostics), builder_(diagnostics),
+          adder_(builder_, std::move(types), diagnostics) {}
+
+    Mesh read() {
+        reserve();
+        for (const BlockRows& rows : deck_.node_blocks) read_nodes(rows);
+        for (const CommandNode& node : deck_.nodes) add_node(node, [] { return std::string(); });
+        if (deck_.unit) builder_.set_length_unit(*deck_.unit);
+        builder_.seal_nodes();
+        for (const ElementRows& block : deck_.element_blocks) read_elements(block);
+        add_command_elements();
+        Mesh mesh = builder_.finish();
+        add_components(mesh);
+        return mesh;
+    }
+
+private:
+    /// At most what the rows could hold, whatever they announce.
+    void reserve() {
+        std::size_t count = deck_.nodes.size();
+        for (const BlockRows& rows : deck_.node_blocks) {
+            const std::string_view text = deck_.inputs[rows.input].text();
+            const std::size_t row = text.substr(rows.begin, rows.end - rows.begin).find('\n');
+            const std::size_t shortest = std::max<std::size_t>(std::min(row, rows.end - rows.begin), 16);
+            count += (rows.end - rows.begin) / shortest + 1;
+        }
+        builder_.reserve_nodes(count);
+    }
+
+    template <class Where>
+    void add_node(const CommandNode& node, const Where& where) {
+        Point3 position = node.position;
+        for (double& x : position) {
+            if (std::isfinite(x)) continue;
+            diagnostics_.add(Code::NonFiniteValue, where, "nodes have a coordinate that is no finite number");
+            x = std::nan("");
+        }
+        builder_.add_node(NodeId{node.id}, position, node.angles);
+    }
+
+    void note_cut(const RowPlace& place, std::string_view block, const BlockRows& rows, std::int64_t count) {
+        diagnostics_.add(
+            Code::TruncatedInput,
+            [&] { return place.where(); },
+            fmt::format("{} ends with the file, after {} rows of {}", block, count, rows.announced)
+        );
+    }
+
+    void read_nodes(const BlockRows& rows) {
+        const Input& input = deck_.inputs[rows.input];
+        ReleaseBehind release(input);
+        NodeRows reader(deck_, rows);
+        while (reader.next()) {
+            add_node(reader.node(), [&] { return reader.place().where(); });
+            release.at(reader.place().offset());
+        }
+        const bool complete = rows.ended || reader.count() == rows.announced;
+        if (reader.cut() || !complete) note_cut(reader.place(), "NBLOCK", rows, reader.count());
+    }
+
+    std::size_t most_nodes(std::int64_t number) {
+        const TypeShape& type = adder_.type_of(number);
+        if (type.name.empty()) return 0;
+        return type.element ? element_row(type.element->type).node_count : 1;
+    }
+
+    void read_elements(const ElementRows& block) {
+        const Input& input = deck_.inputs[block.rows.input];
+        ReleaseBehind release(input);
+        adder_.set_body(block.body);
+        ElementRowsReader reader(deck_, block, [this](std::int64_t type) { return most_nodes(type); });
+        while (reader.next()) {
+            adder_.add(input, reader.row());
+            highest_ = std::max(highest_, reader.row().id);
+            release.at(reader.place().offset());
+        }
+        const bool complete = block.rows.ended || reader.count() == block.rows.announced;
+        if (reader.cut() || !complete) note_cut(reader.place(), "EBLOCK", block.rows, reader.count());
+    }
+
+    void add_command_elements() {
+        adder_.set_body({});
+        for (const CommandElement& element : deck_.elements) {
+            ElementRowIds row;
+            row.id = element.id > 0 ? element.id : highest_ + 1;
+            row.material = element.material;
+            row.type = element.type;
+            row.offset = element.offset;
+            std::size_t count = element.count;
+            while (count > 0 && deck_.element_nodes[element.first + count - 1] == 0) --count;
+            row.nodes = std::span(deck_.element_nodes).subspan(element.first, count);
+            highest_ = std::max(highest_, row.id);
+            adder_.add(deck_.inputs[element.input], row);
+        }
+    }
+
+    /// 17 -18 21 -40 is 17 to 18 and 21 to 40. Sorted and without overlap, so that no range is walked twice.
+    std::vector<IdRange> ranges_of(const ComponentRows& component) const {
+        const BlockRows& rows = component.rows;
+        const Input& input = deck_.inputs[rows.input];
+        RowPlace place(input, "CMBLOCK");
+        std::vector<IdRange> ranges;
+        const std::size_t width = rows.format.id_width;
+        const std::string_view text = input.text();
+        for (Lines lines(text, rows.begin, rows.end, line_end_of(text)); lines.next();) {
+            place.at(lines.begin());
+            for (std::size_t at = 0; at < lines.line().size(); at += width) {
+                const std::int64_t number = integer_field(lines.line(), at, width, place);
+                if (number > 0) ranges.emplace_back(number, number);
+                if (number < 0 && !ranges.empty())
+                    ranges.back().second = std::max(ranges.back().second, -number);
+            }
+        }
+        std::ranges::sort(ranges);
+        std::size_t kept = 0;
+        for (const IdRange& range : ranges) {
+            if (kept > 0 && range.first <= ranges[kept - 1].second)
+                ranges[kept - 1].second = std::max(ranges[kept - 1].second, range.second);
+            else
+                ranges[kept++] = range;
+        }
+        ranges.resize(kept);
+        return ranges;
+    }
+
+    void add_components(Mesh& mesh) {
+        std::vector<std::pair<std::int64_t, ElementIndex>> elements;
+        for (const ComponentRows& component : deck_.components) {
+            const std::vector<IdRange> ranges = ranges_of(component);
+            if (component.of_nodes) {
+                mesh.node_sets.push_back({component.name, nodes_in(mesh, ranges)});
+            } else {
+                if (elements.empty()) elements = elements_by_id(mesh);
+                mesh.element_sets.push_back({component.name, elements_in(elements, ranges)});
+            }
+        }
+    }
+
+    static std::vector<NodeIndex> nodes_in(const Mesh& mesh, const std::vector<IdRange>& ranges) {
+        std::vector<NodeIndex> nodes;
+        for (const auto& [first, last] : ranges) {
+            auto at = std::ranges::lower_bound(mesh.node_ids, NodeId{first});
+            for (; at != mesh.node_ids.end() && raw(*at) <= last; ++at)
+                nodes.push_back(NodeIndex{static_cast<std::uint32_t>(at - mesh.node_ids.begin())});
+        }
+        return nodes;
+    }
+
+    static std::vector<std::pair<std::int64_t, ElementIndex>> elements_by_id(const Mesh& mesh) {
+        std::vector<std::pair<std::int64_t, ElementIndex>> elements;
+        elements.reserve(mesh.element_count());
+        for (const ElementBlock& block : mesh.blocks) {
+            for (const ElementId id : block.ids)
+                elements.emplace_back(raw(id), ElementIndex{static_cast<std::uint32_t>(elements.size())});
+        }
+        std::ranges::sort(elements);
+        return elements;
+    }
+
+    static std::vector<ElementIndex> elements_in(
+        const std::vector<std::pair<std::int64_t, ElementIndex>>& elements, const std::vector<IdRange>& ranges
+    ) {
+        std::vector<ElementIndex> found;
+        for (const auto& [first, last] : ranges) {
+            auto at =
+                std::ranges::lower_bound(elements, first, {}, &std::pair<std::int64_t, ElementIndex>::first);
+            for (; at != elements.end() && at->first <= last; ++at) found.push_back(at->second);
+        }
+        return found;
+    }
+
+    const Deck& deck_;
+    Diagnostics& diagnostics_;
+    MeshBuilder builder_;
+    ElementAdder adder_;
+    std::int64_t highest_ = 0;  ///< Element id.
+};
+
+}  // namespace
+
+Mesh read_mesh(const Deck& deck, const TypeTable& types, Diagnostics& diagnostics) {
+    TypeTable all = types;
+    for (const auto& [number, type] : deck.types) all[number] = type;
+    return MeshReader(deck, std::move(all), diagnostics).read();
+}
+
+}  // namespace feelem::ansys::cdb

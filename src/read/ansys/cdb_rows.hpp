@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of NBLOCK, EBLOCK and CMBLOCK: fixed columns, whose last ones may be left out.
+#pragma once
+
+#include "read/ansys/cdb_deck.hpp"
+#include "read/ansys/list_rows.hpp"
+#include "read/ansys/list_text.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace feelem::ansys::cdb {
+
+/// A place in a deck, for messages.
+class RowPlace {
+public:
+    RowPlace(const Input& input, std::string_view block) : input_(input), block_(block) {}
+    void at(std::size_t offset) { offset_ = offset; }
+    std::size_t offset() const { return offset_; }
+    std::string where() const { return input_.where_line(offset_); }
+    /// Bytes of zero are what a broken copy leaves behind.
+    [[noreturn]] void bad_row(std::string_view line) const;
+
+private:
+    const Input& input_;
+    std::string_view block_;
+    std::size_t offset_ = 0;
+};
+
+/// An integer of a row; 0 for a blank or absent field.
+std::int64_t integer_field(
+    std::string_view line, std::size_t first, std::size_t width, const RowPlace& place
+);
+double real_field(
+    std::string_view line, std::size_t first, std::size_t width, std::size_t decimals, const RowPlace& place
+);
+
+/// Rows of an NBLOCK.
+class NodeRows {
+public:
+    NodeRows(const Deck& deck, const BlockRows& rows);
+    bool next();
+    const CommandNode& node() const { return node_; }
+    const RowPlace& place() const { return place_; }
+    bool cut() const { return cut_; }  ///< The file ends in the middle of the last row, which is not given.
+    std::int64_t count() const { return count_; }
+
+private:
+    void read(std::string_view line);
+
+    const BlockRows& rows_;
+    Lines lines_;
+    RowPlace place_;
+    CommandNode node_;
+    std::int64_t count_ = 0;
+    bool cut_ = false;
+};
+
+/// Rows of an EBLOCK; those of several lines are put together.
+class ElementRowsReader {
+public:
+    /// How many nodes elements of a type have at most: the plain forms do not say how many a row has.
+    using NodesOfType = std::function<std::size_t(std::int64_t type)>;
+
+    ElementRowsReader(const Deck& deck, const ElementRows& block, NodesOfType nodes_of_type);
+    bool next();
+    const ElementRowIds& row() const { return row_; }
+    const RowPlace& place() const { return place_; }
+    bool cut() const { return cut_; }
+    std::int64_t count() const { return count_; }
+
+private:
+    static constexpr std::size_t kMostNodes = 64;
+
+    void read_solid(std::string_view line);
+    void read_plain(std::string_view line);
+    void add_nodes(
+        std::string_view line, std::size_t first_field, std::size_t last_field, std::size_t wanted
+    );
+    void add_lines(std::size_t wanted);
+
+    const ElementRows& block_;
+    NodesOfType nodes_of_type_;
+    Lines lines_;
+    RowPlace place_;
+    ElementRowIds row_;
+    std::array<std::int64_t, kMostNodes> nodes_{};
+    std::size_t node_count_ = 0;  ///< Of the row; those beyond the array are not kept.
+    std::int64_t count_ = 0;
+    bool short_ = false;  ///< The row has fewer nodes than it says.
+    bool cut_ = false;
+};
+
+}  // namespace feelem::ansys::cdb

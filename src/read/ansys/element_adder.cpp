@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read/ansys/element_adder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace feelem::ansys {
+
+std::string part_name(std::int64_t material, std::string_view body) {
+    return body.empty() ? fmt::format("material {}", material)
+                        : fmt::format("{} (material {})", body, material);
+}
+
+std::optional<PartIndex> find_part_of_material(const Mesh& mesh, std::int64_t material) {
+    const std::string plain = part_name(material);
+    const std::string of_body = "(" + plain + ")";
+    std::optional<PartIndex> found;
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+        const PartIndex part{static_cast<std::uint32_t>(i)};
+        if (mesh.parts[i].name == plain) return part;
+        if (!mesh.parts[i].name.ends_with(of_body)) continue;
+        if (found) return std::nullopt;
+        found = part;
+    }
+    return found;
+}
+
+bool SeenIds::insert(std::int64_t id) {
+    if (set_.empty() && (ids_.empty() || id > ids_.back())) {
+        ids_.push_back(id);
+        return true;
+    }
+    if (set_.empty()) set_.insert(ids_.begin(), ids_.end());
+    return set_.insert(id).second;
+}
+
+void ElementAdder::set_body(std::string_view body) {
+    has_part_ = has_part_ && body == body_;
+    body_ = body;
+}
+
+void ElementAdder::add(const Input& input, const ElementRowIds& row) {
+    const auto where = [&] { return input.where_line(row.offset); };
+    if (!seen_.insert(row.id)) {
+        diagnostics_.add(
+            Code::DuplicateElement, where, "elements are listed more than once; the first counts"
+        );
+        return;
+    }
+    const TypeShape& type = type_of(row.type);
+    const auto shape = shape_of(type, row.nodes.size());
+    if (!shape) {
+        leave_out(row, type, where);
+        return;
+    }
+    warn_of_extra_nodes(row, type, where);
+    for (std::size_t i = 0; i < shape->nodes; ++i) nodes_[i] = NodeId{row.nodes[i]};
+    builder_.add_element(
+        ElementId{row.id}, shape->type, std::span(nodes_).first(shape->nodes), part_of(row.material), where
+    );
+}
+
+void ElementAdder::add_named(
+    const Input& input,
+    std::int64_t id,
+    std::string_view name,
+    std::span<const std::int64_t> nodes,
+    std::size_t offset
+) {
+    if (!seen_.insert(id)) return;  // By another list of values.
+    TypeShape type;
+    type.name = name;
+    type.element = find_element(name);
+    const auto where = [&] { return input.where_line(offset); };
+    const auto shape = shape_of(type, nodes.size());
+    if (!shape) {
+        ElementRowIds row;
+        row.nodes = nodes;
+        leave_out(row, type, where);
+        return;
+    }
+    for (std::size_t i = 0; i < shape->nodes; ++i) nodes_[i] = NodeId{nodes[i]};
+    builder_.add_element(
+        ElementId{id}, shape->type, std::span(nodes_).first(shape->nodes), builder_.part("elements"), where
+    );
+}
+
+const TypeShape& ElementAdder::type_of(std::int64_t number) {
+    if (number != last_type_ || type_ == nullptr) {
+        last_type_ = number;
+        const bool fits = number <= std::numeric_limits<std::int32_t>::max();
+        type_ = &types_[fits ? static_cast<int>(number) : std::numeric_limits<std::int32_t>::max()];
+    }
+    return *type_;
+}
+
+PartIndex ElementAdder::part_of(std::int64_t material) {
+    if (!has_part_ || material != last_material_) {
+        last_material_ = material;
+        has_part_ = true;
+        part_ = builder_.part(part_name(material, body_));
+    }
+    return part_;
+}
+
+void ElementAdder::leave_out(
+    const ElementRowIds& row, const TypeShape& type, const MeshBuilder::Where& where
+) {
+    const std::string name = type.name.empty() ? fmt::format("type {}", row.type) : type.name;
+    builder_.skip_element(name);
+    const bool has_no_surface = type.element && !is_drawn(type.element->kind);
+    if (has_no_surface && type.element->kind != ElementKind::Revolved) return;
+    const std::string why = type.name.empty()
+                                ? fmt::format("nothing names their type; --types {}=NAME does", row.type)
+                            : !type.element  ? "Feelem does not know this type"
+                            : has_no_surface ? "solids of revolution are not drawn"
+                                             : fmt::format("{} nodes make no such element", row.nodes.size());
+    diagnostics_.add(Code::UnknownElementType, where, fmt::format("{} elements are left out: {}", name, why));
+}
+
+/// Beams list a node more, that of their orientation. A solid or a shell that does is of another type.
+void ElementAdder::warn_of_extra_nodes(
+    const ElementRowIds& row, const TypeShape& type, const MeshBuilder::Where& where
+) {
+    if (!type.element || type.element->kind == ElementKind::Line ||
+        type.element->kind == ElementKind::MeshOnly)
+        return;
+    const std::size_t most = element_row(type.element->type).node_count;
+    if (row.nodes.size() <= most) return;
+    diagnostics_.add(
+        Code::GuessedElementType,
+        where,
+        fmt::format(
+            "elements of type {} list {} nodes, but {} has {}: the others are not used. Does the type "
+            "list "
+            "(--types, ETLIST) belong to these elements?",
+            row.type,
+            row.nodes.size(),
+            type.element->name,
+            most
+        )
+    );
+}
+
+}  // namespace feelem::ansys
