@@ -5,6 +5,7 @@
 #include "read/calculix/calculix_frd.hpp"
 #include "read/nastran/nastran_op2.hpp"
 #include "read/read_format.hpp"
+#include "read/unv/unv_format.hpp"
 
 #include <vector>
 
@@ -14,6 +15,7 @@ std::span<const ReadFormat> read_format_list() {
     static const std::vector<ReadFormat> list{
         calculix_frd_format(),
         ansys_cdb_format(),
+        unv_format(),
         ansys_lists_format(),
         nastran_op2_format(),
     };

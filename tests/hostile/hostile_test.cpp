@@ -176,6 +176,7 @@ protected:
 TEST_F(Hostile, shipped_files_cut_and_damaged_are_survived) {
     expect_survival_below(test::project_file("examples"));
     expect_survival_below(test::project_file("tests/data/calculix"));
+    expect_survival_below(test::project_file("tests/data/unv"));
 }
 
 TEST_F(Hostile, corpus_of_calculix_cut_and_damaged_is_survived) {
@@ -194,6 +195,14 @@ TEST_F(Hostile, corpus_of_nastran_cut_and_damaged_is_survived) {
     const auto corpus = test::corpus_file("nastran");
     if (!corpus) GTEST_SKIP() << "the corpus is not here";
     expect_survival_below(*corpus);
+}
+
+TEST_F(Hostile, corpus_of_exchange_formats_cut_and_damaged_is_survived) {
+    for (const char* folder : {"unv", "converted"}) {
+        const auto corpus = test::corpus_file(folder);
+        if (!corpus) GTEST_SKIP() << "the corpus is not here";
+        expect_survival_below(*corpus);
+    }
 }
 
 TEST_F(Hostile, corpus_of_boilers_cut_and_damaged_is_survived) {

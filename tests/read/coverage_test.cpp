@@ -182,6 +182,10 @@ TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
     page += table_of(folders(corpus, "ansys/workbench"), corpus, unsound);
     page += "## Nastran: .op2\n\nEach alone, without its deck.\n\n";
     page += table_of(files_below(corpus, "nastran/models", ".op2"), corpus, unsound);
+    page += "## Universal files\n\n";
+    page += table_of(single_files(corpus, "unv", ".unv"), corpus, unsound);
+    page += "## The boiler in exchange formats\n\n";
+    page += table_of(single_files(corpus, "converted", ".unv"), corpus, unsound);
     page.pop_back();
 
     EXPECT_FALSE(unsound) << page;
