@@ -2,6 +2,7 @@
 // The list of readers: a new one is a folder beside this file and one line here.
 #include "read/ansys/ansys_cdb.hpp"
 #include "read/ansys/ansys_lists.hpp"
+#include "read/ansys/ansys_rst.hpp"
 #include "read/calculix/calculix_frd.hpp"
 #include "read/nastran/nastran_op2.hpp"
 #include "read/read_format.hpp"
@@ -13,6 +14,7 @@ namespace feelem {
 
 std::span<const ReadFormat> read_format_list() {
     static const std::vector<ReadFormat> list{
+        ansys_rst_format(),
         calculix_frd_format(),
         ansys_cdb_format(),
         unv_format(),

@@ -178,6 +178,9 @@ TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
     page += table_of(single_files(corpus, "ansys/cdb", ""), corpus, unsound);
     page += "## Ansys: text lists\n\nA folder is one model; excerpts are single pages.\n\n";
     page += table_of(folders(corpus, "ansys/lists"), corpus, unsound);
+    page += "## Ansys: binary results\n\n";
+    page += table_of(files_below(corpus, "ansys", ".rst"), corpus, unsound);
+    page += table_of(files_below(corpus, "ansys", ".rth"), corpus, unsound);
     page += "## Ansys Mechanical: exported tables\n\n";
     page += table_of(folders(corpus, "ansys/workbench"), corpus, unsound);
     page += "## Nastran: .op2\n\nEach alone, without its deck.\n\n";

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts and pointers of a SYNTHETIC result file turned into anything: a model or an Error, nothing else.
+#include "read_ansys_rst/opened_rst.hpp"
+#include "support/exercise.hpp"
+
+#include "feelem/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+
+namespace feelem {
+namespace {
+
+using test::WrittenModel;
+
+/// A file with everything that this reader reads.
+std::string full_file() {
+    WrittenModel model = test::two_bricks();
+    model.units = 6;
+    model.nodes[0][4] = 30;
+    model.components = {{"FIXED", true, {10, 30, -60}}, {"RIGHT", false, {7, -8}}};
+    test::WrittenSet set;
+    set.solution.assign(36, 0.5);
+    set.reaction_at = {1, 2, 3};
+    set.reactions = {1, 2, 3};
+    for (std::size_t element = 0; element < 2; ++element) {
+        set.element_records.push_back({element, 3, std::vector<double>(48, 2.0), 0});
+        set.element_records.push_back({element, 6, std::vector<double>(56, 0.001), 0});
+        set.element_records.push_back({element, 9, {}, 64});
+        set.element_records.push_back({element, 10, {30, 0, 0}, 0});
+    }
+    model.sets = {set, set};
+    return test::write_rst(model);
+}
+
+/// Empty when all is well.
+std::string survive(const std::string& bytes) {
+    try {
+        const auto opened = test::open_bytes(bytes);
+        return test::exercise(*opened.model);
+    } catch (const Error& error) {
+        return std::string(error.what()).size() < 10 ? "an error without words" : "";
+    }
+}
+
+TEST(RstHostile, whole_file_is_sound) {
+    EXPECT_EQ(survive(full_file()), "");
+    EXPECT_NO_THROW(test::open_bytes(full_file()));
+}
+
+TEST(RstHostile, every_word_may_be_anything) {
+    const std::string good = full_file();
+    for (std::size_t at = 0; at + 4 <= good.size(); at += 4) {
+        for (const std::int32_t value : {-1, 0, 1, 103, 2147483647, -2147483647 - 1}) {
+            std::string bytes = good;
+            std::memcpy(bytes.data() + at, &value, sizeof value);
+            ASSERT_EQ(survive(bytes), "") << "word " << at / 4 << " = " << value;
+        }
+    }
+}
+
+TEST(RstHostile, file_may_end_at_every_word) {
+    const std::string good = full_file();
+    for (std::size_t length = 0; length < good.size(); length += 4)
+        ASSERT_EQ(survive(good.substr(0, length)), "") << length;
+}
+
+TEST(RstHostile, cut_file_keeps_the_sets_that_are_whole) {
+    WrittenModel model = test::two_bricks();
+    test::WrittenSet set;
+    set.solution.assign(36, 0.5);
+    model.sets = {set};
+    const std::size_t one = test::write_rst(model).size();
+    model.sets = {set, set};
+    const auto opened = test::open_bytes(test::write_rst(model).substr(0, one));
+    EXPECT_EQ(opened.model->steps().size(), 1u);
+    EXPECT_TRUE(opened.diagnostics->has(Code::TruncatedInput));
+    EXPECT_EQ(test::value_at(opened, test::load_wanted(opened, {"displacement"}), 10, "x"), 0.5F);
+}
+
+}  // namespace
+}  // namespace feelem
