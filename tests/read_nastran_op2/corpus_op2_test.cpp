@@ -4,6 +4,7 @@
 #include "support/exercise.hpp"
 #include "support/paths.hpp"
 
+#include "feelem/derive.hpp"
 #include "feelem/error.hpp"
 #include "feelem/read.hpp"
 
@@ -50,6 +51,32 @@ TEST(NastranOp2, a_table_that_is_written_twice_is_listed_once) {
     const auto model = open_alone(kWritesTablesTwice, diagnostics);
     const auto is_displacement = [](const ResultInfo& info) { return info.name.starts_with("displacement"); };
     EXPECT_EQ(std::ranges::count_if(model->results(), is_displacement), 21);
+}
+
+std::size_t displacement_of(const ModelSource& model) {
+    const auto infos = model.results();
+    const auto found = std::ranges::find(infos, "displacement", &ResultInfo::name);
+    return static_cast<std::size_t>(found - infos.begin());
+}
+
+Result global_displacement(ModelSource& model) {
+    return to_global(model.mesh(), model.load(displacement_of(model)));
+}
+
+TEST(NastranOp2, displacements_in_radial_systems_turn_into_those_of_the_same_model_in_global_ones) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    Diagnostics diagnostics;
+    const std::string folder = "models/sol_101_elements/static_solid_shell_bar";
+    const auto radial = open_alone(folder + "_global_radial_cd.op2", diagnostics);
+    const auto plain = open_alone(folder + "_xyz.op2", diagnostics);
+    EXPECT_TRUE(std::ranges::any_of(radial->results(), &ResultInfo::nodal_system));
+    EXPECT_FALSE(radial->mesh().node_angles.empty());
+    const Result turned = global_displacement(*radial);
+    const Result expected = global_displacement(*plain);
+    ASSERT_EQ(turned.values.size(), expected.values.size());
+    EXPECT_NE(turned.values, radial->load(displacement_of(*radial)).values);
+    for (std::size_t i = 0; i < turned.values.size(); ++i)
+        EXPECT_NEAR(turned.values[i], expected.values[i], 1e-8) << i;
 }
 
 TEST(NastranOp2, text_op2_is_refused_with_a_hint) {

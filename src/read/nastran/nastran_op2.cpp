@@ -4,6 +4,7 @@
 
 #include "model/mesh_builder.hpp"
 #include "read/nastran/op2_contents.hpp"
+#include "read/nastran/op2_mesh.hpp"
 
 #include "feelem/error.hpp"
 
@@ -76,18 +77,22 @@ public:
 
 private:
     void find_mesh(const ReadContext& context) {
+        Diagnostics unsaid;
         if (context.mesh != nullptr) {
+            // What is odd in the deck was said when it was read.
+            check_same_ids(*context.mesh, read_mesh(input_, layout_, unsaid), input_);
             mesh_ = context.mesh;
             return;
         }
-        own_mesh_ = nodes_of_results();
+        own_mesh_ = read_mesh(input_, layout_, diagnostics_);
+        if (own_mesh_.node_count() == 0) own_mesh_ = nodes_of_results();
         if (own_mesh_.node_count() == 0) {
             throw Error(
                 Code::NoNodes,
                 input_.name(),
-                "the .op2 file holds no nodes and no results at nodes. Give the .bdf with it, or ask for "
-                "results "
-                "(DISPLACEMENT(PLOT) = ALL) and PARAM,POST,-1"
+                "the .op2 file holds no geometry and no results at nodes. Give the .bdf with it, or write "
+                "both "
+                "with PARAM,POST,-1 and DISPLACEMENT(PLOT) = ALL"
             );
         }
         mesh_ = &own_mesh_;
