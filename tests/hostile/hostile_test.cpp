@@ -177,6 +177,7 @@ TEST_F(Hostile, shipped_files_cut_and_damaged_are_survived) {
     expect_survival_below(test::project_file("examples"));
     expect_survival_below(test::project_file("tests/data/calculix"));
     expect_survival_below(test::project_file("tests/data/unv"));
+    expect_survival_below(test::project_file("tests/data/ansys"));
 }
 
 TEST_F(Hostile, corpus_of_calculix_cut_and_damaged_is_survived) {

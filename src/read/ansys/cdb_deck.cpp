@@ -9,6 +9,7 @@
 #include "base/number.hpp"
 #include "read/ansys/ansys_units.hpp"
 #include "read/ansys/cdb_commands.hpp"
+#include "read/ansys/cdb_remarks.hpp"
 #include "read/ansys/cdb_singles.hpp"
 #include "read/ansys/list_text.hpp"
 
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
 
 namespace feelem::ansys::cdb {
@@ -43,22 +43,6 @@ std::string_view without_quotes(std::string_view text) {
     if (text.size() >= 2 && text.front() == '\'' && text.back() == '\'')
         text = text.substr(1, text.size() - 2);
     return trim(text);
-}
-
-/// "2019 R2" of "ANSYS RELEASE 2019 R2           BUILD 19.4      UP20190416"; the build where no release is.
-std::string release_of(std::string_view text) {
-    const std::string capitals = to_capitals(text);
-    const auto between = [&](std::string_view word) -> std::string_view {
-        std::size_t at = capitals.find(word);
-        if (at == std::string::npos) return {};
-        at += word.size();
-        std::size_t end = std::min({capitals.find("BUILD", at), capitals.find("   ", at + 1), text.size()});
-        return trim(text.substr(at, end - at));
-    };
-    std::string_view release = between("RELEASE");
-    if (to_capitals(release.substr(0, 7)) == "RELEASE") release = trim(release.substr(7));
-    if (release.empty()) release = between("BUILD");
-    return std::string(release);
 }
 
 class DeckScanner {
@@ -115,23 +99,10 @@ private:
         }
     }
 
-    /// Comments that say what commands do not: units, bodies, the release.
     void take_remark(std::string_view text) {
-        const auto behind = [&](std::string_view words) -> std::string_view {
-            const std::size_t at = text.find(words);
-            return at == std::string_view::npos ? std::string_view{} : text.substr(at + words.size());
-        };
-        if (const auto unit = behind("Data in consistent "); !unit.empty()) {
-            set_unit(unit.substr(0, unit.find(' ')));
-        } else if (const auto body = behind("Elements for Body "); !body.empty()) {
-            const std::size_t first = body.find('"');
-            const std::size_t last = body.rfind('"');
-            settings_.body = last > first ? body.substr(first + 1, last - first - 1) : std::string_view{};
-        } else if (const auto release = behind("ANSYS RELEASE"); !release.empty()) {
-            deck_.version = release_of(text);
-        } else if (const auto workbench = behind("Workbench version "); !workbench.empty()) {
-            deck_.version = trim(workbench);
-        }
+        if (const auto system = unit_system_in(text)) set_unit(*system);
+        if (const auto body = body_in(text)) settings_.body = *body;
+        if (const auto release = release_in(text)) deck_.version = *release;
     }
 
     void set_unit(std::string_view system) {
@@ -177,8 +148,11 @@ private:
         if (command.is("EBLOCK")) return take_element_block(command);
         if (command.is("ETBLOCK")) return take_type_block(command);
         if (command.is("CMBLOCK")) return take_component(command);
-        if (command.is("ET")) return take_type(command);
-        if (command.is("KEYOPT")) return take_key_option(command);
+        if (command.is("ET")) {
+            if (!take_type(command, settings_, deck_.types)) not_followed(command);
+            return;
+        }
+        if (command.is("KEYOPT")) return take_key_option(command, settings_.parameters, deck_.types);
         if (command.is("CDREAD")) return include(command[2], command[3]);
         if (command.is("MAT")) settings_.material = settings_.parameters.integer(command[1]).value_or(1);
         if (command.is("CSYS")) settings_.system = settings_.parameters.integer(command[1]).value_or(0);
@@ -310,24 +284,6 @@ private:
         deck_.components.push_back(std::move(component));
     }
 
-    void define_type(std::int64_t number, std::string_view name, std::int64_t keyopt1) {
-        constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
-        if (number < 1 || number > kMost || name.empty()) return;
-        TypeShape& type = deck_.types[static_cast<int>(number)];
-        type.element = find_element(name);
-        type.name = type.element ? std::string(type.element->name) : to_capitals(name);
-        type.keyopt1 = keyopt1 >= 0 && keyopt1 <= kMost ? static_cast<int>(keyopt1) : 0;
-        settings_.last_type = number;
-    }
-
-    /// ET,number,name,KEYOPT(1)
-    void take_type(const Command& command) {
-        const auto number = command[1].empty() ? settings_.last_type + 1
-                                               : settings_.parameters.integer(command[1]).value_or(0);
-        if (number < 1) return not_followed(command);
-        define_type(number, command[2], settings_.parameters.integer(command[3]).value_or(0));
-    }
-
     void take_type_block(const Command& command) {
         const BlockRows rows = take_rows(command, false);
         const std::string_view text = input().text();
@@ -335,18 +291,9 @@ private:
             Cursor cursor(lines.line());
             const auto number = parse_integer(next_word(cursor));
             const std::string_view name = next_word(cursor);
-            define_type(number.value_or(0), name, parse_integer(next_word(cursor)).value_or(0));
+            const std::int64_t keyopt1 = parse_integer(next_word(cursor)).value_or(0);
+            if (define_type(number.value_or(0), name, keyopt1, deck_.types)) settings_.last_type = *number;
         }
-    }
-
-    void take_key_option(const Command& command) {
-        const auto number = settings_.parameters.integer(command[1]).value_or(0);
-        const auto option = settings_.parameters.integer(command[2]).value_or(0);
-        const auto value = settings_.parameters.integer(command[3]).value_or(0);
-        constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
-        if (option != 1 || number < 1 || number > kMost || value < 0 || value > kMost) return;
-        const auto type = deck_.types.find(static_cast<int>(number));
-        if (type != deck_.types.end()) type->second.keyopt1 = static_cast<int>(value);
     }
 
     Deck deck_;

@@ -42,7 +42,7 @@ struct ElementRows {
 
 /// N: a node by command.
 struct CommandNode {
-    std::int64_t id = 0;
+    std::int64_t id = 0;  ///< 0: the next after the highest.
     Point3 position{};
     NodalAngles angles{};
 };

@@ -11,12 +11,13 @@ namespace {
 constexpr std::size_t kMostColumns = 100;
 constexpr std::size_t kWidest = 40;
 
-/// Digits at the front of the text, taken off it; `none` when there are none.
+/// Digits at the front of the text, taken off it; `none` when there are none, 0 when there are too many.
 std::size_t take_number(std::string_view& text, std::size_t none) {
     const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
     const auto value = parse_integer(text.substr(0, digits));
     text.remove_prefix(digits);
-    return value && *value <= 1000 ? static_cast<std::size_t>(*value) : none;
+    if (digits == 0) return none;
+    return value && *value <= 1000 ? static_cast<std::size_t>(*value) : 0;
 }
 
 /// One group: 6e21.13e3.

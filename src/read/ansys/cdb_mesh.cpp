@@ -60,7 +60,9 @@ private:
             diagnostics_.add(Code::NonFiniteValue, where, "nodes have a coordinate that is no finite number");
             x = std::nan("");
         }
-        builder_.add_node(NodeId{node.id}, position, node.angles);
+        const std::int64_t id = node.id > 0 ? node.id : highest_node_ + 1;
+        highest_node_ = std::max(highest_node_, id);
+        builder_.add_node(NodeId{id}, position, node.angles);
     }
 
     void note_cut(const RowPlace& place, std::string_view block, const BlockRows& rows, std::int64_t count) {
@@ -86,7 +88,8 @@ private:
     std::size_t most_nodes(std::int64_t number) {
         const TypeShape& type = adder_.type_of(number);
         if (type.name.empty()) return 0;
-        return type.element ? element_row(type.element->type).node_count : 1;
+        const auto shape = shape_of(type, kMaxElementNodes);
+        return shape ? shape->nodes : 1;
     }
 
     void read_elements(const ElementRows& block) {
@@ -96,7 +99,7 @@ private:
         ElementRowsReader reader(deck_, block, [this](std::int64_t type) { return most_nodes(type); });
         while (reader.next()) {
             adder_.add(input, reader.row());
-            highest_ = std::max(highest_, reader.row().id);
+            highest_element_ = std::max(highest_element_, reader.row().id);
             release.at(reader.place().offset());
         }
         const bool complete = block.rows.ended || reader.count() == block.rows.announced;
@@ -107,14 +110,14 @@ private:
         adder_.set_body({});
         for (const CommandElement& element : deck_.elements) {
             ElementRowIds row;
-            row.id = element.id > 0 ? element.id : highest_ + 1;
+            row.id = element.id > 0 ? element.id : highest_element_ + 1;
             row.material = element.material;
             row.type = element.type;
             row.offset = element.offset;
             std::size_t count = element.count;
             while (count > 0 && deck_.element_nodes[element.first + count - 1] == 0) --count;
             row.nodes = std::span(deck_.element_nodes).subspan(element.first, count);
-            highest_ = std::max(highest_, row.id);
+            highest_element_ = std::max(highest_element_, row.id);
             adder_.add(deck_.inputs[element.input], row);
         }
     }
@@ -149,15 +152,24 @@ private:
     }
 
     void add_components(Mesh& mesh) {
+        // Ten characters can name a million nodes: no honest deck names its whole mesh a thousand times.
+        constexpr std::size_t kMembersPerByte = 16;
+        std::size_t left = kMembersPerByte * deck_.inputs.front().size();
         std::vector<std::pair<std::int64_t, ElementIndex>> elements;
         for (const ComponentRows& component : deck_.components) {
             const std::vector<IdRange> ranges = ranges_of(component);
+            std::size_t members = 0;
             if (component.of_nodes) {
                 mesh.node_sets.push_back({component.name, nodes_in(mesh, ranges)});
+                members = mesh.node_sets.back().nodes.size();
             } else {
                 if (elements.empty()) elements = elements_by_id(mesh);
                 mesh.element_sets.push_back({component.name, elements_in(elements, ranges)});
+                members = mesh.element_sets.back().elements.size();
             }
+            if (members > left)
+                throw Error(Code::TooLarge, deck_.inputs.front().name(), "components have too many members");
+            left -= members;
         }
     }
 
@@ -198,7 +210,8 @@ private:
     Diagnostics& diagnostics_;
     MeshBuilder builder_;
     ElementAdder adder_;
-    std::int64_t highest_ = 0;  ///< Element id.
+    std::int64_t highest_node_ = 0;
+    std::int64_t highest_element_ = 0;
 };
 
 }  // namespace

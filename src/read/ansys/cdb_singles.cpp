@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
+#include <optional>
 
 namespace feelem::ansys::cdb {
 namespace {
@@ -16,7 +18,36 @@ bool is_of_solver(const Command& command) {
     return first.starts_with("R5") || first == "UNBL";
 }
 
+constexpr std::int64_t kMostNumber = std::numeric_limits<std::int32_t>::max();
+
 }  // namespace
+
+bool define_type(std::int64_t number, std::string_view name, std::int64_t keyopt1, TypeTable& types) {
+    if (number < 1 || number > kMostNumber || name.empty()) return false;
+    TypeShape& type = types[static_cast<int>(number)];
+    type.element = find_element(name);
+    type.name = type.element ? std::string(type.element->name) : to_capitals(name);
+    type.keyopt1 = keyopt1 >= 0 && keyopt1 <= kMostNumber ? static_cast<int>(keyopt1) : 0;
+    return true;
+}
+
+bool take_type(const Command& command, Settings& settings, TypeTable& types) {
+    const auto number =
+        command[1].empty() ? std::optional(settings.last_type + 1) : settings.parameters.integer(command[1]);
+    const auto keyopt1 = settings.parameters.integer(command[3]);
+    if (!number || !define_type(*number, command[2], keyopt1.value_or(0), types)) return false;
+    settings.last_type = *number;
+    return true;
+}
+
+void take_key_option(const Command& command, const Parameters& parameters, TypeTable& types) {
+    const auto number = parameters.integer(command[1]).value_or(0);
+    const auto option = parameters.integer(command[2]).value_or(0);
+    const auto value = parameters.integer(command[3]).value_or(0);
+    if (option != 1 || number < 1 || number > kMostNumber || value < 0 || value > kMostNumber) return;
+    const auto type = types.find(static_cast<int>(number));
+    if (type != types.end()) type->second.keyopt1 = static_cast<int>(value);
+}
 
 bool SingleCommands::take(const Command& command, std::size_t input, std::size_t offset) {
     input_ = input;
@@ -70,17 +101,15 @@ void SingleCommands::take_node(const Command& command) {
     while (of_solver && real_at < 6 && !command[real_at].empty() &&
            command[real_at].find('.') == std::string_view::npos)
         ++real_at;
-    const auto number = command[number_at].empty()
-                            ? last_node_ + 1
-                            : settings_.parameters.integer(command[number_at]).value_or(0);
+    // Without a number it is the next after the highest: 0 until that is known.
+    const auto number = settings_.parameters.integer(command[number_at]).value_or(-1);
     if (of_solver && number < 0) return;  // The end of a block.
     std::array<double, 6> reals{};
     for (std::size_t i = 0; i < reals.size(); ++i) {
         const auto real = settings_.parameters.real(command[real_at + i]);
-        if (!real || number < 1 || settings_.loops > 0) return left_out(command);
+        if (!real || number < 0 || settings_.loops > 0) return left_out(command);
         reals[i] = *real;
     }
-    last_node_ = number;
     if (of_solver && to_capitals(command[2]) == "ANG") {
         if (!deck_.nodes.empty() && deck_.nodes.back().id == number)
             deck_.nodes.back().angles = {reals[0], reals[1], reals[2]};

@@ -23,6 +23,13 @@ struct Settings {
     int loops = 0;  ///< *DO around this place.
 };
 
+/// Into the table; KEYOPT(1) tells the shape of MESH200. False for a number that is none.
+bool define_type(std::int64_t number, std::string_view name, std::int64_t keyopt1, TypeTable& types);
+/// ET,number,name,KEYOPT(1). False when the number cannot be had.
+bool take_type(const Command& command, Settings& settings, TypeTable& types);
+/// KEYOPT,number,option,value
+void take_key_option(const Command& command, const Parameters& parameters, TypeTable& types);
+
 class SingleCommands {
 public:
     SingleCommands(Deck& deck, const Settings& settings, Diagnostics& diagnostics)
@@ -44,7 +51,6 @@ private:
     Diagnostics& diagnostics_;
     std::size_t input_ = 0;
     std::size_t offset_ = 0;
-    std::int64_t last_node_ = 0;
     bool open_element_ = false;  ///< Further nodes may follow.
 };
 
