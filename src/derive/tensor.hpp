@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Symmetric tensors of rank two, in double: eigenvalues and rotation.
+// Symmetric tensors of rank two, in double: eigenvalues.
 #pragma once
 
-#include "feelem/mesh.hpp"
+#include "model/rotation.hpp"
 
 #include <array>
 
 namespace feelem {
 
-/// xx yy zz xy yz zx.
-using Tensor6 = std::array<double, 6>;
-using Matrix3 = std::array<std::array<double, 3>, 3>;
-
 /// Largest first. NaN in any component gives NaN.
 std::array<double, 3> eigenvalues(const Tensor6& tensor) noexcept;
-
-/// Axes of an Ansys nodal system as columns: turned by angles[0] degrees about Z, then by angles[1] about the
-/// new X, then by angles[2] about the newest Y (THXY, THYZ, THZX of the N command).
-Matrix3 nodal_axes(const NodalAngles& angles) noexcept;
-
-/// Components in the global system of a vector, or tensor, given along `axes`. A term whose coefficient is 0
-/// does not count, so that a missing component spoils only what it takes part in.
-std::array<double, 3> to_global(const Matrix3& axes, const std::array<double, 3>& vector) noexcept;
-Tensor6 to_global(const Matrix3& axes, const Tensor6& tensor) noexcept;
 
 }  // namespace feelem

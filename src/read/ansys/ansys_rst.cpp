@@ -3,6 +3,7 @@
 #include "read/ansys/ansys_rst.hpp"
 
 #include "model/node_lookup.hpp"
+#include "read/ansys/rst_element.hpp"
 #include "read/ansys/rst_header.hpp"
 #include "read/ansys/rst_mesh.hpp"
 #include "read/ansys/rst_nodal.hpp"
@@ -13,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <string>
@@ -50,12 +52,7 @@ public:
             throw Error(Code::NoNodes, records_.input().name(), "the result file holds no nodes");
         if (context.mesh != nullptr) check_same_mesh(*context.mesh, *mesh_, records_.input().name());
         find_row_nodes();
-        for (NodalResult& result :
-             list_nodal_results(sets_, header_, records_, !mesh_->node_angles.empty())) {
-            make_unique(result.info);
-            infos_.push_back(result.info);
-            nodal_.push_back(std::move(result));
-        }
+        list_results();
         reported_.resize(infos_.size());
         if (header_.sectors > 1) note_cyclic();
     }
@@ -68,16 +65,53 @@ public:
     std::string title() const override { return header_.title; }
 
     Result load(std::size_t index) override {
-        const NodalResult& nodal = nodal_.at(index);
-        NodalValues values = read_nodal_values(records_, sets_.sets[nodal.set], nodal, *mesh_, row_nodes_);
-        report(index, values);
+        const Listed& listed = listed_.at(index);
         Result result;
         result.info = infos_[index];
-        result.values = std::move(values.values);
+        if (listed.of_elements) {
+            const ElementResult& element = elements_[listed.place];
+            const ElementSource source{records_, header_, file_mesh_, element_order_};
+            ElementValues values = read_element_values(source, sets_.sets[element.set], element);
+            report(index, 0, values.without_number);
+            report_elements(index, values.not_understood);
+            result.values = std::move(values.values);
+            result.row_owner = std::move(values.row_owner);
+            result.row_node = std::move(values.row_node);
+        } else {
+            const NodalResult& nodal = nodal_[listed.place];
+            NodalValues values =
+                read_nodal_values(records_, sets_.sets[nodal.set], nodal, *mesh_, row_nodes_);
+            report(index, values.without_node, values.without_number);
+            result.values = std::move(values.values);
+        }
+        reported_[index] = true;
         return result;
     }
 
 private:
+    /// A result by its kind and place among those.
+    struct Listed {
+        bool of_elements = false;
+        std::size_t place = 0;
+    };
+
+    void list_results() {
+        nodal_ = list_nodal_results(sets_, header_, records_, !mesh_->node_angles.empty());
+        elements_ = list_element_results(sets_, header_, file_mesh_);
+        if (!elements_.empty()) element_order_ = elements_in_mesh_order(file_mesh_);
+        for (std::size_t i = 0; i < nodal_.size(); ++i) listed_.push_back({false, i});
+        for (std::size_t i = 0; i < elements_.size(); ++i) listed_.push_back({true, i});
+        std::ranges::stable_sort(listed_, {}, [this](const Listed& listed) { return info_of(listed).step; });
+        for (const Listed& listed : listed_) {
+            infos_.push_back(info_of(listed));
+            make_unique(infos_.back());
+        }
+    }
+
+    const ResultInfo& info_of(const Listed& listed) const {
+        return listed.of_elements ? elements_[listed.place].info : nodal_[listed.place].info;
+    }
+
     void find_row_nodes() {
         if (header_.node_ids == 0) return;
         const std::vector<std::int32_t> ids = records_.integers(header_.node_ids, header_.nodes);
@@ -104,28 +138,38 @@ private:
         );
     }
 
-    void report(std::size_t index, const NodalValues& values) {
+    void report(std::size_t index, std::uint64_t without_node, std::uint64_t without_number) {
         if (reported_[index]) return;
-        reported_[index] = true;
-        if (values.without_node > 0) {
+        const std::string& name = infos_[index].solver_name;
+        if (without_node > 0) {
             diagnostics_.add(
                 Code::ResultWithoutNode,
                 records_.input().name(),
-                fmt::format("{} has values at nodes that the mesh does not have", infos_[index].solver_name),
-                values.without_node
+                fmt::format("{} has values at nodes that the mesh does not have", name),
+                without_node
             );
         }
-        if (values.without_number > 0) {
+        if (without_number > 0) {
             diagnostics_.add(
                 Code::NonFiniteValue,
                 records_.input().name(),
-                fmt::format(
-                    "{} has values that are no finite numbers; they count as missing",
-                    infos_[index].solver_name
-                ),
-                values.without_number
+                fmt::format("{} has values that are no finite numbers; they count as missing", name),
+                without_number
             );
         }
+    }
+
+    void report_elements(std::size_t index, std::uint64_t not_understood) {
+        if (reported_[index] || not_understood == 0) return;
+        diagnostics_.add(
+            Code::ResultForPartOfModel,
+            records_.input().name(),
+            fmt::format(
+                "{} is left out for elements whose layers are stored in an order that is not known",
+                infos_[index].solver_name
+            ),
+            not_understood
+        );
     }
 
     Records records_;
@@ -136,7 +180,10 @@ private:
     const Mesh* mesh_ = nullptr;
     std::vector<NodeIndex> row_nodes_;
     std::vector<ResultInfo> infos_;
+    std::vector<Listed> listed_;
     std::vector<NodalResult> nodal_;
+    std::vector<ElementResult> elements_;
+    std::vector<std::uint32_t> element_order_;
     std::vector<bool> reported_;
     std::map<std::tuple<std::uint32_t, Layer, Complex, std::string>, int> names_;
 };

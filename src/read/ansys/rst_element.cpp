@@ -1,0 +1,429 @@
+// SPDX-License-Identifier: Apache-2.0
+// Must: give each corner of each element its own value of each layer, in the global system.
+// Assumes: nothing about lengths; an element whose records have another length than is known is left out.
+// Algorithm: an element's table points to its records. Rows of a record are its corner nodes, once a surface:
+// of layered elements each layer has a bottom and a top (and a middle). They stand along the axes of the
+// layer; the Euler angles of the element, and after them one angle a layer about its normal, turn them. Data:
+// the records of one element at a time, and the result.
+#include "read/ansys/rst_element.hpp"
+
+#include "model/rotation.hpp"
+
+#include "feelem/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace feelem::rst {
+
+/// What the flux and the gradient of an element belong to.
+enum class Field : std::uint8_t {
+    Any,
+    Thermal,
+    Electric
+};
+
+struct ElementQuantity {
+    Item item;
+    std::size_t entry;   ///< In an element's table, from 1.
+    std::size_t stored;  ///< Values a node.
+    std::string_view name;
+    std::string_view label;
+    Shape shape;
+    Field field = Field::Any;
+};
+
+namespace {
+
+constexpr std::array kQuantities{
+    ElementQuantity{Item::Stress, 3, 6, "stress", "S", Shape::SymmetricTensor},
+    ElementQuantity{Item::ElasticStrain, 6, 7, "elastic_strain", "EPEL", Shape::SymmetricTensor},
+    ElementQuantity{Item::PlasticStrain, 7, 7, "plastic_strain", "EPPL", Shape::SymmetricTensor},
+    ElementQuantity{Item::CreepStrain, 8, 7, "creep_strain", "EPCR", Shape::SymmetricTensor},
+    ElementQuantity{Item::ThermalStrain, 9, 8, "thermal_strain", "EPTH", Shape::SymmetricTensor},
+    ElementQuantity{Item::Flux, 11, 3, "heat_flux", "TF", Shape::Vector, Field::Thermal},
+    ElementQuantity{Item::Gradient, 5, 3, "temperature_gradient", "TG", Shape::Vector, Field::Thermal},
+    ElementQuantity{Item::Flux, 11, 3, "electric_flux_density", "D", Shape::Vector, Field::Electric},
+    ElementQuantity{Item::Gradient, 5, 3, "electric_field", "EF", Shape::Vector, Field::Electric},
+};
+constexpr std::size_t kEulerEntry = 10;
+constexpr std::size_t kTableEntries = 64;  ///< 25 or 26 in real files.
+/// 250 layers with three surfaces of eight corners with eleven values.
+constexpr std::size_t kMostValues = 1u << 16;
+
+bool has_layers(const ElementKindOfFile& kind) {
+    return kind.name && kind.name->kind == ansys::ElementKind::Shell;
+}
+
+bool has_values(const ElementKindOfFile& kind) {
+    using enum ansys::ElementKind;
+    if (!kind.name || kind.result_nodes == 0) return false;
+    return kind.name->kind == Solid || kind.name->kind == Plane || kind.name->kind == Shell;
+}
+
+/// The order of a shell's surfaces, proved on real files by the curvature of their solutions. Other shells,
+/// all of them old, were not to be had.
+enum class SurfaceOrder : std::uint8_t {
+    Unknown,
+    BottomFirst,
+    TopFirst
+};
+SurfaceOrder surface_order(std::int32_t routine) {
+    if (routine == 181 || routine == 281) return SurfaceOrder::BottomFirst;
+    return routine == 63 ? SurfaceOrder::TopFirst : SurfaceOrder::Unknown;
+}
+
+bool has_dof(const ResultSet& set, std::int32_t code) {
+    return std::ranges::find(set.dofs, code) != set.dofs.end();
+}
+
+/// Elements of coupled fields hold the fluxes of several: which comes first is not known, so one field it is.
+bool is_field(const ResultSet& set, Field field) {
+    constexpr std::int32_t kTemperature = 20, kVoltage = 21, kMagnetic = 22, kConcentration = 17,
+                           kPressure = 19;
+    const bool others = has_dof(set, kMagnetic) || has_dof(set, kConcentration) || has_dof(set, kPressure) ||
+                        has_dof(set, 7) || has_dof(set, 8) || has_dof(set, 9);
+    const bool thermal = has_dof(set, kTemperature), electric = has_dof(set, kVoltage);
+    switch (field) {
+    case Field::Any: return true;
+    case Field::Thermal: return thermal && !electric && !others;
+    case Field::Electric: return electric && !thermal && !others;
+    }
+    return false;
+}
+
+class Lister {
+public:
+    Lister(const ResultSets& sets, const ResultHeader& header, const FileMesh& mesh)
+        : sets_(sets), units_(units_of(header.units)), mesh_(mesh) {
+        std::vector<bool> used(mesh.kinds.size());
+        for (const FileElement& element : mesh.elements)
+            used[element.kind] = used[element.kind] || element.index != kNoElement;
+        for (std::size_t i = 0; i < used.size(); ++i) {
+            if (!used[i] || !has_values(mesh.kinds[i])) continue;
+            any_ = true;
+            shells_ = shells_ || has_layers(mesh.kinds[i]);
+            middles_ = middles_ || (has_layers(mesh.kinds[i]) && mesh.kinds[i].keyopt(8) == 2);
+        }
+        for (const ElementBlock& block : mesh.mesh.blocks)
+            quadratic_ = quadratic_ || element_row(block.type).order == 2;
+    }
+
+    std::vector<ElementResult> list() {
+        for (std::size_t i = 0; any_ && i < sets_.sets.size(); ++i) {
+            const ResultSet& set = sets_.sets[i];
+            if (set.elements == 0) continue;
+            for (const ElementQuantity& quantity : kQuantities) {
+                if (set.has(quantity.item) && is_field(set, quantity.field)) add(i, quantity);
+            }
+        }
+        return std::move(out_);
+    }
+
+private:
+    void add(std::size_t i, const ElementQuantity& quantity) {
+        const ResultSet& set = sets_.sets[i];
+        ResultInfo info;
+        info.name = quantity.name;
+        info.solver_name = quantity.label;
+        info.step = set.step;
+        info.complex = set.complex;
+        info.location = Location::ElementNodal;
+        info.averaging = Averaging::None;
+        info.shape = quantity.shape;
+        info.corner_only = quadratic_;
+        const StepKind kind = sets_.steps[set.step].kind;
+        const bool free_size = kind == StepKind::Mode || kind == StepKind::Buckling;
+        if (quantity.shape == Shape::Vector) {
+            info.components = {"x", "y", "z"};
+            if (quantity.item == Item::Flux && quantity.field == Field::Thermal && !free_size)
+                info.unit = units_.heat_flux;
+        } else {
+            info.components = {"xx", "yy", "zz", "xy", "yz", "zx"};
+            if (quantity.item == Item::Stress) {
+                if (!free_size) info.unit = units_.stress;
+            } else {
+                info.shear = Shear::Engineering;
+            }
+        }
+        if (!shells_ || quantity.shape == Shape::Vector) {
+            out_.push_back({info, i, &quantity});
+            return;
+        }
+        for (const Layer layer : {Layer::Top, Layer::Middle, Layer::Bottom}) {
+            info.layer = layer;
+            if (layer != Layer::Middle || middles_) out_.push_back({info, i, &quantity});
+        }
+    }
+
+    const ResultSets& sets_;
+    Units units_;
+    const FileMesh& mesh_;
+    bool any_ = false, shells_ = false, middles_ = false, quadratic_ = false;
+    std::vector<ElementResult> out_;
+};
+
+/// Where the wanted row of each corner is, and which layer it lies in.
+struct RowPlan {
+    std::size_t layers = 1;
+    /// Row and layer of a corner.
+    std::vector<std::pair<std::size_t, std::size_t>> corners;
+};
+
+/// The rows of a shell: `surfaces` times its corners.
+std::optional<RowPlan> plan_shell(const ElementKindOfFile& kind, std::size_t rows, Layer layer) {
+    const std::size_t n = kind.result_nodes;
+    const SurfaceOrder order = surface_order(kind.routine);
+    if (rows == 0 || rows % n != 0 || order == SurfaceOrder::Unknown) return std::nullopt;
+    const std::size_t surfaces = rows / n;
+    RowPlan plan;
+    std::size_t surface = 0;
+    if (surfaces > 1) {
+        const bool has_middles = surfaces != 2 && kind.keyopt(8) == 2 && order == SurfaceOrder::BottomFirst;
+        const std::size_t in_layer = has_middles ? 3 : 2;
+        if (surfaces % in_layer != 0 || (surfaces > 2 && order == SurfaceOrder::TopFirst))
+            return std::nullopt;
+        plan.layers = surfaces / in_layer;
+        const bool top_first = order == SurfaceOrder::TopFirst;
+        switch (layer) {
+        case Layer::Bottom: surface = top_first ? 1 : 0; break;
+        case Layer::Top: surface = top_first ? 0 : (plan.layers - 1) * in_layer + 1; break;
+        default:
+            // The middle of several layers is none of theirs.
+            if (!has_middles || plan.layers != 1) return RowPlan{};
+            surface = 2;
+        }
+    }
+    for (std::size_t k = 0; k < n; ++k)
+        plan.corners.emplace_back(surface * n + k, surfaces > 1 && layer == Layer::Top ? plan.layers - 1 : 0);
+    return plan;
+}
+
+/// The rows of a solid: once its corners, or once a layer (then the outer surfaces of the outer layers).
+std::optional<RowPlan> plan_solid(const ElementKindOfFile& kind, std::size_t rows) {
+    const std::size_t n = kind.result_nodes;
+    if (rows == 0 || rows % n != 0) return std::nullopt;
+    RowPlan plan;
+    plan.layers = rows / n;
+    if (plan.layers > 1 && n != 8) return std::nullopt;
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t layer = k < n / 2 ? 0 : plan.layers - 1;
+        plan.corners.emplace_back(layer * n + k, layer);
+    }
+    return plan;
+}
+
+/// Axes of an element's corners and layers out of its Euler angles.
+class ElementAxes {
+public:
+    /// `corners` with repeats: a wedge may have angles of its six nodes, or of all eight places.
+    /// False when the angles are as many as nothing that is known has.
+    bool read(std::span<const double> angles, std::span<const NodeIndex> corners, std::size_t layers) {
+        angles_ = angles;
+        rows_.clear();
+        layers_first_ = 0;
+        is_global_ = std::ranges::all_of(angles, [](double angle) { return angle == 0; });
+        if (is_global_) return true;
+        const std::size_t n = corners.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const auto first = std::ranges::find(corners.first(k), corners[k]);
+            const auto at = static_cast<std::size_t>(first - corners.begin());
+            rows_.push_back(at < k ? rows_[at] : distinct_of_rows());
+        }
+        const std::size_t distinct = distinct_of_rows();
+        if (angles.size() == 3) {
+            std::ranges::fill(rows_, 0);
+            return true;
+        }
+        for (const std::size_t with_layers : {layers, std::size_t{1}, std::size_t{0}}) {
+            if (angles.size() == 3 * n + with_layers) {
+                for (std::size_t k = 0; k < n; ++k) rows_[k] = k;
+                layers_first_ = 3 * n;
+                return with_layers == layers || with_layers == 0;
+            }
+        }
+        layers_first_ = 3 * distinct;
+        return angles.size() == layers_first_ + layers || angles.size() == layers_first_;
+    }
+
+    bool is_global() const { return is_global_; }
+
+    Matrix3 axes(std::size_t corner, std::size_t layer) const {
+        const std::size_t at = 3 * rows_[corner];
+        const Matrix3 element = nodal_axes({angles_[at], angles_[at + 1], angles_[at + 2]});
+        const std::size_t place = layers_first_ + layer;
+        if (layers_first_ == 0 || place >= angles_.size() || angles_[place] == 0) return element;
+        return product(element, nodal_axes({angles_[place], 0, 0}));
+    }
+
+private:
+    std::size_t distinct_of_rows() const { return rows_.empty() ? 0 : *std::ranges::max_element(rows_) + 1; }
+
+    std::span<const double> angles_;
+    std::vector<std::size_t> rows_;
+    std::size_t layers_first_ = 0;
+    bool is_global_ = true;
+};
+
+class ValueReader {
+public:
+    ValueReader(const ElementSource& source, const ResultSet& set, const ElementResult& result)
+        : source_(source), records_(source.records), set_(set), info_(result.info),
+          quantity_(*result.quantity), width_(result.info.components.size()),
+          stored_(quantity_.item == Item::Stress && source.header.has_principal ? 11 : quantity_.stored),
+          // Real files name a record once; damaged ones may name one a million times.
+          left_(64 * std::uint64_t{records_.words()} + (1u << 20)) {}
+
+    ElementValues read() {
+        records_.unpack(records_.find(set_.elements), 2 * source_.mesh.element_count, index_);
+        if (index_.size() < source_.mesh.element_count) bad("the index of elements is too short");
+        for (const std::uint32_t at : source_.order) read_element(source_.mesh.elements[at]);
+        return std::move(out_);
+    }
+
+private:
+    void read_element(const FileElement& element) {
+        const ElementKindOfFile& kind = source_.mesh.kinds[element.kind];
+        if (!has_values(kind) || (has_layers(kind) && quantity_.shape == Shape::Vector)) return;
+        const bool is_wide = index_.size() >= 2 * source_.mesh.element_count;
+        const Word offset = is_wide ? wide(index_[2 * element.place], index_[2 * element.place + 1])
+                                    : wide(index_[element.place], 0);
+        if (offset == 0) return;
+        table_at_ = set_.elements + offset;
+        records_.unpack(records_.find(table_at_), kTableEntries, table_);
+        if (!read_entry(quantity_.entry, values_)) return;
+        const auto plan = has_layers(kind) ? plan_shell(kind, values_.size() / stored_, info_.layer)
+                                           : plan_solid(kind, values_.size() / stored_);
+        if (!plan || values_.size() % stored_ != 0) {
+            ++out_.not_understood;
+            return;
+        }
+        if (plan->corners.empty()) return;
+        const std::span<const NodeIndex> corners =
+            std::span(source_.mesh.corners).subspan(element.first_corner, element.corner_count);
+        if (!read_entry(kEulerEntry, angles_)) angles_.clear();
+        if (!axes_.read(angles_, corners, plan->layers)) {
+            ++out_.not_understood;
+            return;
+        }
+        for (std::size_t k = 0; k < corners.size() && k < plan->corners.size(); ++k) {
+            // Corners of a degenerate element stand twice, with equal values.
+            const bool again =
+                std::ranges::find(corners.first(k), corners[k]) != corners.begin() + std::ptrdiff_t(k);
+            if (again || corners[k] == kNoNode) continue;
+            add_row(element, corners[k], k, plan->corners[k]);
+        }
+    }
+
+    void add_row(
+        const FileElement& element,
+        NodeIndex node,
+        std::size_t corner,
+        std::pair<std::size_t, std::size_t> place
+    ) {
+        const double* row = values_.data() + place.first * stored_;
+        std::array<double, 6> values{};
+        std::copy_n(row, width_, values.begin());
+        if (!axes_.is_global()) turn(axes_.axes(corner, place.second), values);
+        out_.row_owner.push_back(raw(element.index));
+        out_.row_node.push_back(node);
+        for (std::size_t c = 0; c < width_; ++c) out_.values.push_back(stored_value(values[c]));
+    }
+
+    void turn(const Matrix3& axes, std::array<double, 6>& values) const {
+        if (quantity_.shape == Shape::Vector) {
+            const auto turned = to_global(axes, std::array<double, 3>{values[0], values[1], values[2]});
+            std::ranges::copy(turned, values.begin());
+            return;
+        }
+        // Engineering shear is twice the tensor's.
+        const double shear = info_.shear == Shear::Engineering ? 2 : 1;
+        for (std::size_t i = 3; i < 6; ++i) values[i] /= shear;
+        values = to_global(axes, Tensor6(values));
+        for (std::size_t i = 3; i < 6; ++i) values[i] *= shear;
+    }
+
+    float stored_value(double value) {
+        constexpr double kNoValue = 1e30;
+        const auto rounded = static_cast<float>(value);
+        if (std::isfinite(rounded) && std::abs(value) < kNoValue) return rounded;
+        if (!std::isfinite(value)) ++out_.without_number;
+        return std::numeric_limits<float>::quiet_NaN();
+    }
+
+    /// False when the element has no such record.
+    bool read_entry(std::size_t entry, std::vector<double>& values) {
+        const std::int32_t place = entry <= table_.size() ? table_[entry - 1] : 0;
+        if (place == 0) return false;
+        if (place < 0) {
+            // Not stored: so many zeros.
+            values.assign(
+                std::min<std::size_t>(static_cast<std::uint32_t>(-std::int64_t{place}), kMostValues), 0
+            );
+        } else {
+            records_.unpack(
+                records_.find(table_at_ + static_cast<std::uint32_t>(place)), kMostValues, values
+            );
+        }
+        if (values.size() > left_) bad("elements share more records than the file can hold");
+        left_ -= values.size();
+        return true;
+    }
+
+    [[noreturn]] void bad(const std::string& text) const {
+        throw Error(
+            Code::BadStructure,
+            records_.where(table_at_ != 0 ? table_at_ : set_.elements),
+            fmt::format("{} ({}): the file is damaged", text, info_.name)
+        );
+    }
+
+    const ElementSource& source_;
+    const Records& records_;
+    const ResultSet& set_;
+    const ResultInfo& info_;
+    const ElementQuantity& quantity_;
+    std::size_t width_, stored_;
+    std::uint64_t left_;
+    std::vector<std::int32_t> index_, table_;
+    Word table_at_ = 0;
+    std::vector<double> values_, angles_;
+    ElementAxes axes_;
+    ElementValues out_;
+};
+
+}  // namespace
+
+std::vector<ElementResult> list_element_results(
+    const ResultSets& sets, const ResultHeader& header, const FileMesh& mesh
+) {
+    return Lister(sets, header, mesh).list();
+}
+
+std::vector<std::uint32_t> elements_in_mesh_order(const FileMesh& mesh) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < mesh.elements.size(); ++i) {
+        if (mesh.elements[i].index != kNoElement) order.push_back(i);
+    }
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return mesh.elements[i].index; });
+    // An id that stands twice in a damaged file: the first one has the results.
+    const auto same = std::ranges::unique(order, {}, [&](std::uint32_t i) { return mesh.elements[i].index; });
+    order.erase(same.begin(), same.end());
+    return order;
+}
+
+ElementValues read_element_values(
+    const ElementSource& source, const ResultSet& set, const ElementResult& result
+) {
+    return ValueReader(source, set, result).read();
+}
+
+}  // namespace feelem::rst
