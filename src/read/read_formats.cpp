@@ -4,6 +4,7 @@
 #include "read/ansys/ansys_lists.hpp"
 #include "read/ansys/ansys_rst.hpp"
 #include "read/calculix/calculix_frd.hpp"
+#include "read/nastran/nastran_bulk.hpp"
 #include "read/nastran/nastran_op2.hpp"
 #include "read/read_format.hpp"
 #include "read/unv/unv_format.hpp"
@@ -19,6 +20,7 @@ std::span<const ReadFormat> read_format_list() {
         ansys_cdb_format(),
         unv_format(),
         ansys_lists_format(),
+        nastran_bulk_format(),
         nastran_op2_format(),
     };
     return list;

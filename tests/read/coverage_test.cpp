@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace feelem {
 namespace {
@@ -73,6 +74,22 @@ std::vector<Group> files_below(const fs::path& corpus, const std::string& folder
         );
     }
     std::ranges::sort(groups, {}, &Group::name);
+    return groups;
+}
+
+/// Nastran decks, each with the files that it names in one line.
+std::vector<Group> decks_below(const fs::path& corpus, const std::string& folder, const std::string& ending) {
+    std::vector<Group> groups = files_below(corpus, folder, ending);
+    for (Group& group : groups) {
+        const fs::path deck = corpus / group.files.front();
+        std::istringstream lines(test::read_file(deck.string()));
+        for (std::string line; std::getline(lines, line);) {
+            if (!line.starts_with("INCLUDE '")) continue;
+            const std::string name = line.substr(9, line.find('\'', 9) - 9);
+            const fs::path file = (deck.parent_path() / name).lexically_normal();
+            if (fs::is_regular_file(file)) group.files.push_back(fs::relative(file, corpus).string());
+        }
+    }
     return groups;
 }
 
@@ -183,12 +200,16 @@ TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
     page += table_of(files_below(corpus, "ansys", ".rth"), corpus, unsound);
     page += "## Ansys Mechanical: exported tables\n\n";
     page += table_of(folders(corpus, "ansys/workbench"), corpus, unsound);
+    page += "## Nastran: decks\n\nEach with what it includes.\n\n";
+    for (const char* ending : {".bdf", ".dat", ".fem"})
+        page += table_of(decks_below(corpus, "nastran/models", ending), corpus, unsound);
     page += "## Nastran: .op2\n\nEach alone, without its deck.\n\n";
     page += table_of(files_below(corpus, "nastran/models", ".op2"), corpus, unsound);
     page += "## Universal files\n\n";
     page += table_of(single_files(corpus, "unv", ".unv"), corpus, unsound);
     page += "## The boiler in exchange formats\n\n";
     page += table_of(single_files(corpus, "converted", ".unv"), corpus, unsound);
+    page += table_of(single_files(corpus, "converted", ".bdf"), corpus, unsound);
     page.pop_back();
 
     EXPECT_FALSE(unsound) << page;
