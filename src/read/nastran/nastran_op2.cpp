@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace feelem {
@@ -46,9 +47,11 @@ public:
           contents_(list_contents(input_, layout_, diagnostics)) {
         find_mesh(context);
         for (Listed& listed : contents_.results) {
-            const NodalBlock& block = contents_.nodal[listed.block];
-            listed.info.nodal_system =
-                listed.info.shape == Shape::Vector && !block.is_basic() && !mesh_->node_angles.empty();
+            if (!listed.of_elements) {
+                const bool is_basic = contents_.nodal[listed.block].is_basic();
+                listed.info.nodal_system =
+                    listed.info.shape == Shape::Vector && !is_basic && !mesh_->node_angles.empty();
+            }
             infos_.push_back(listed.info);
         }
         reported_.resize(infos_.size());
@@ -64,18 +67,60 @@ public:
 
     Result load(std::size_t index) override {
         const Listed& listed = contents_.results.at(index);
-        const NodalBlock& block = contents_.nodal[listed.block];
-        NodalValues values =
-            read_nodal(input_, layout_, block, *mesh_, listed.first, listed.info.components.size());
-        if (!reported_[index]) report(block, values);
-        reported_[index] = true;
         Result result;
         result.info = infos_[index];
-        result.values = std::move(values.values);
+        if (listed.of_elements) {
+            load_elements(listed, result);
+        } else {
+            load_nodal(listed, result);
+        }
+        reported_[index] = true;
         return result;
     }
 
 private:
+    void load_nodal(const Listed& listed, Result& result) {
+        const NodalBlock& block = contents_.nodal[listed.block];
+        NodalValues values =
+            read_nodal(input_, layout_, block, *mesh_, listed.first, listed.info.components.size());
+        result.values = std::move(values.values);
+        if (is_reported(listed)) return;
+        report(
+            Code::ResultWithoutNode,
+            block.table,
+            "lists nodes that the mesh does not have",
+            values.without_node
+        );
+        report_missing(block.table, values.without_number);
+    }
+
+    void load_elements(const Listed& listed, Result& result) {
+        const ElementResult& block = contents_.elements[listed.block];
+        if (!lookup_) lookup_.emplace(*mesh_);
+        ElementValues values = read_elements(input_, layout_, block, *mesh_, *lookup_);
+        result.values = std::move(values.values);
+        result.row_owner = std::move(values.row_owner);
+        result.row_node = std::move(values.row_node);
+        if (is_reported(listed)) return;
+        report(
+            Code::ResultWithoutNode,
+            block.table,
+            "lists elements or corners that the mesh does not have",
+            values.without_element
+        );
+        report(
+            Code::CoordinateSystem,
+            block.table,
+            "has solids whose tensor is in a system of its own: only its invariant is used",
+            values.other_system
+        );
+        report_missing(block.table, values.without_number);
+    }
+
+    bool is_reported(const Listed& listed) const {
+        return reported_[static_cast<std::size_t>(&listed - contents_.results.data())];
+    }
+
     void find_mesh(const ReadContext& context) {
         Diagnostics unsaid;
         if (context.mesh != nullptr) {
@@ -116,6 +161,7 @@ private:
 
     void note_partial_results() {
         for (const Listed& listed : contents_.results) {
+            if (listed.of_elements) continue;
             const std::uint64_t rows = row_count(layout_, contents_.nodal[listed.block]);
             if (rows >= mesh_->node_count()) continue;
             diagnostics_.add(
@@ -126,23 +172,14 @@ private:
         }
     }
 
-    void report(const NodalBlock& block, const NodalValues& values) {
-        if (values.without_node > 0) {
-            diagnostics_.add(
-                Code::ResultWithoutNode,
-                input_.name(),
-                fmt::format("{} lists nodes that the mesh does not have", block.table),
-                values.without_node
-            );
-        }
-        if (values.without_number > 0) {
-            diagnostics_.add(
-                Code::NonFiniteValue,
-                input_.name(),
-                fmt::format("{} has values that are no finite numbers; they count as missing", block.table),
-                values.without_number
-            );
-        }
+    void report(Code code, const std::string& table, const char* what, std::uint64_t count) {
+        if (count > 0) diagnostics_.add(code, input_.name(), fmt::format("{} {}", table, what), count);
+    }
+
+    void report_missing(const std::string& table, std::uint64_t count) {
+        report(
+            Code::NonFiniteValue, table, "has values that are no finite numbers; they count as missing", count
+        );
     }
 
     Input input_;
@@ -150,6 +187,7 @@ private:
     Layout layout_;
     Contents contents_;
     Mesh own_mesh_;
+    std::optional<ElementLookup> lookup_;
     const Mesh* mesh_ = nullptr;
     std::vector<ResultInfo> infos_;
     std::vector<bool> reported_;

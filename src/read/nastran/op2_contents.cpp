@@ -29,6 +29,17 @@ std::string lower(std::string_view text) {
     return out;
 }
 
+/// What a block holds that is not used, as far as its ident says it.
+std::string unused_text(const std::string& table, const Ident& ident) {
+    if (ident.element_type == 0)
+        return fmt::format("{}: blocks of kind {} are not used", table, ident.table_code);
+    const char* form = ident.sort2        ? ", sorted by element,"
+                       : ident.is_complex ? ", complex,"
+                       : ident.random     ? ", random,"
+                                          : "";
+    return fmt::format("{}: values of elements of type {}{} are not used", table, ident.element_type, form);
+}
+
 class Lister {
 public:
     Lister(const Input& input, const Layout& layout, Diagnostics& diagnostics)
@@ -43,18 +54,18 @@ public:
             const auto kind = nodal_kind(block.ident);
             if (kind) list_nodal(block, *kind);
         }
+        list_elements();
         return std::move(contents_);
     }
 
 private:
     /// Idents and data take turns; a block without data has its ident alone.
     void list_table(const Table& table) {
-        std::uint64_t unused = 0;
         by_node_.clear();
         for (std::size_t i = table.first_record; i < table.last_record; ++i) {
             const auto ident = read_ident(record_words(input_, layout_, i, scratch_));
             if (!ident) {
-                ++unused;
+                report_unused(table.name + " holds records that Feelem does not use");
                 continue;
             }
             const bool has_data = i + 1 < table.last_record;
@@ -68,21 +79,16 @@ private:
             ++i;
             if (nodal_kind(*ident)) {
                 list_block(table, *ident, texts, i);
+            } else if (element_layout(*ident) != nullptr) {
+                collect_elements(table, *ident, texts, i);
             } else {
-                ++unused;
+                report_unused(unused_text(table.name, *ident));
             }
         }
-        if (unused > 0 || table.first_record == table.last_record) report_unused(table, unused);
     }
 
-    void report_unused(const Table& table, std::uint64_t blocks) {
-        if (blocks == 0) return;
-        diagnostics_.add(
-            Code::UnknownBlock,
-            input_.name(),
-            fmt::format("table {} holds blocks that Feelem does not use", table.name),
-            blocks
-        );
+    void report_unused(std::string text) {
+        diagnostics_.add(Code::UnknownBlock, input_.name(), std::move(text));
     }
 
     void list_block(const Table& table, Ident ident, const Words& ident_words, std::size_t record) {
@@ -135,6 +141,67 @@ private:
         }
     }
 
+    void collect_elements(
+        const Table& table, const Ident& ident, const Words& ident_words, std::size_t record
+    ) {
+        const StepKey step = step_of(ident);
+        const Texts texts = read_texts(ident_words);
+        if (contents_.title.empty()) contents_.title = texts.title;
+        steps_.add(step, value_of(ident, step), texts);
+        const ElementLayout* layout = element_layout(ident);
+        const auto bits = ident.stress_bits;
+        ElementGroup& group = groups_.try_emplace({table.name, step, bits, layout->shape}).first->second;
+        group.kind = *stress_kind(ident);
+        group.blocks.push_back({layout, record});
+    }
+
+    /// Shells that give their centres alone join those that give corners, where a step has both.
+    void list_elements() {
+        for (auto& [key, group] : groups_) {
+            if (std::get<RowShape>(key) != RowShape::ShellCentre) continue;
+            auto with_corners = key;
+            std::get<RowShape>(with_corners) = RowShape::ShellCorner;
+            const auto found = groups_.find(with_corners);
+            if (found == groups_.end()) continue;
+            std::vector<ElementBlockRef>& blocks = found->second.blocks;
+            blocks.insert(blocks.end(), group.blocks.begin(), group.blocks.end());
+            group.blocks.clear();
+        }
+        for (const auto& [key, group] : groups_) {
+            if (group.blocks.empty()) continue;
+            const RowShape shape = std::get<RowShape>(key);
+            const bool is_shell = shape == RowShape::ShellCorner || shape == RowShape::ShellCentre;
+            ElementResult result{
+                std::get<StepKey>(key),
+                quantity_of(shape),
+                group.kind,
+                0,
+                std::get<std::string>(key),
+                group.blocks};
+            for (result.fibre = 0; result.fibre < (is_shell ? 2 : 1); ++result.fibre) list_element(result);
+        }
+    }
+
+    static Quantity quantity_of(RowShape shape) {
+        switch (shape) {
+        case RowShape::Solid: return Quantity::SolidCorner;
+        case RowShape::ShellCorner: return Quantity::ShellCorner;
+        case RowShape::ShellCentre: return Quantity::ShellCentre;
+        default: return Quantity::Axial;
+        }
+    }
+
+    void list_element(const ElementResult& result) {
+        Listed listed;
+        listed.of_elements = true;
+        listed.block = contents_.elements.size();
+        listed.info = element_info(result);
+        listed.info.step = steps_.index_of(result.step);
+        listed.info.name = unique_name(listed.info, listed.info.name);
+        contents_.elements.push_back(result);
+        contents_.results.push_back(std::move(listed));
+    }
+
     void list_nodal(const NodalBlock& block, const NodalKind& kind) {
         const auto index = static_cast<std::size_t>(&block - contents_.nodal.data());
         const bool is_scalar = kind.rotation.empty();
@@ -173,7 +240,7 @@ private:
     /// The same again in one step (another frame, another order) is known by its table.
     std::string unique_name(const ResultInfo& info, std::string_view name) {
         const auto take = [&](const std::string& one) {
-            return names_.emplace(info.step, info.complex, one).second;
+            return names_.emplace(info.step, info.complex, info.layer, one).second;
         };
         if (take(std::string(name))) return std::string(name);
         const std::string with_table = fmt::format("{}_{}", name, lower(info.solver_name));
@@ -190,7 +257,12 @@ private:
     Contents contents_;
     StepList steps_;
     std::map<std::tuple<std::int32_t, int, int, std::size_t>, std::vector<std::size_t>> by_node_;
-    std::set<std::tuple<std::uint32_t, Complex, std::string>> names_;
+    std::set<std::tuple<std::uint32_t, Complex, Layer, std::string>> names_;
+    struct ElementGroup {
+        StressKind kind;
+        std::vector<ElementBlockRef> blocks;
+    };
+    std::map<std::tuple<std::string, StepKey, int, RowShape>, ElementGroup> groups_;
     std::map<std::tuple<std::string, int, StepKey>, std::size_t> written_;
     std::vector<std::byte> scratch_;
 };

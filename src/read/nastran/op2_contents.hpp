@@ -2,6 +2,7 @@
 // What a .op2 file holds: its steps and results by the heads of their tables.
 #pragma once
 
+#include "read/nastran/op2_elements.hpp"
 #include "read/nastran/op2_nodal.hpp"
 
 #include "feelem/diagnostics.hpp"
@@ -15,12 +16,14 @@ namespace feelem::op2 {
 /// A result and where its values stand.
 struct Listed {
     ResultInfo info;
-    std::size_t block = 0;  ///< Into Contents::nodal.
-    std::size_t first = 0;  ///< First number of a row.
+    bool of_elements = false;
+    std::size_t block = 0;  ///< Into Contents::nodal or elements.
+    std::size_t first = 0;  ///< Nodal: first number of a row.
 };
 
 struct Contents {
     std::vector<NodalBlock> nodal;
+    std::vector<ElementResult> elements;
     std::vector<Step> steps;
     std::vector<Listed> results;
     std::string title;

@@ -57,6 +57,7 @@ std::optional<Ident> read_ident(const Words& words) {
     Ident ident;
     ident.approach = static_cast<int>(approach);
     ident.table_code = static_cast<int>(code % 1000);
+    ident.is_complex = (code / 1000 & 1) != 0;
     ident.sort2 = (code / 1000 & 2) != 0;
     ident.random = (code / 1000 & 4) != 0;
     ident.element_type = words.integer(2);

@@ -16,10 +16,11 @@ inline constexpr std::size_t kIdentWords = 146;
 
 /// Words of the ident, one based as the manuals count them.
 struct Ident {
-    int approach = 0;     ///< 1: of eleven kinds of analysis.
-    int table_code = 0;   ///< 2: what is listed (1 displacement, 5 stress ...), without the next two.
-    bool sort2 = false;   ///< Rows are steps and the block is one node or element; else the other way.
-    bool random = false;  ///< Densities and root mean squares of random responses.
+    int approach = 0;         ///< 1: of eleven kinds of analysis.
+    int table_code = 0;       ///< 2: what is listed (1 displacement, 5 stress ...), without the next two.
+    bool sort2 = false;       ///< Rows are steps and the block is one node or element; else the other way.
+    bool is_complex = false;  ///< Two numbers each.
+    bool random = false;      ///< Densities and root mean squares of random responses.
     std::int64_t element_type = 0;  ///< 3
     std::int32_t subcase = 0;       ///< 4
     std::int64_t integer5 = 0;      ///< 5: mode, load step or, sorted the other way, node * 10 + device.

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stresses and strains of real .op2 files against the printed pages of the same run, and against themselves.
+#include "read_nastran_op2/op2_answers.hpp"
+#include "support/paths.hpp"
+
+#include "feelem/read.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace feelem {
+namespace {
+
+std::unique_ptr<ModelSource> open_corpus(const std::string& path, Diagnostics& diagnostics) {
+    std::vector<NamedBytes> files{{path, test::read_file(test::corpus_file("nastran/" + path).value())}};
+    return open_model(std::move(files), {}, diagnostics);
+}
+
+Result load(ModelSource& model, const std::string& name, Layer layer) {
+    const auto infos = model.results();
+    const auto found = std::ranges::find_if(infos, [&](const ResultInfo& info) {
+        return info.name == name && info.layer == layer;
+    });
+    if (found == infos.end()) return {};
+    return model.load(static_cast<std::size_t>(found - infos.begin()));
+}
+
+/// A value at a corner of an element, or of an element (node 0); NaN when there is none.
+float value_at(const Mesh& mesh, const Result& result, const std::string& component, int element, int node) {
+    const int column = component_index(result.info, component);
+    if (column < 0) return NAN;
+    const std::size_t width = result.component_count();
+    for (std::size_t row = 0; row < result.row_count(); ++row) {
+        const auto owner = result.row_owner.empty() ? static_cast<std::uint32_t>(row) : result.row_owner[row];
+        if (raw(element_at(mesh, ElementIndex{owner}).id()) != element) continue;
+        const bool at_node = result.row_node.empty() || raw(mesh.node_ids[raw(result.row_node[row])]) == node;
+        if (at_node) return result.values[row * width + static_cast<std::size_t>(column)];
+    }
+    return NAN;
+}
+
+struct Printed {
+    const char* name;
+    Layer layer;
+    const char* component;
+    int element, node;
+    double value;
+};
+
+/// Read by eye from static_solid_shell_bar.f06.
+constexpr Printed kPages[]{
+    {"stress", Layer::No, "xx", 1, 2, -2.806434e+02},
+    {"stress", Layer::No, "yy", 1, 2, -9.783870e+02},
+    {"stress", Layer::No, "zz", 1, 2, 1.230871e+04},
+    {"stress", Layer::No, "xy", 1, 2, 2.065732e+01},
+    {"stress", Layer::No, "yz", 1, 2, -9.214196e+02},
+    {"stress", Layer::No, "zx", 1, 2, 9.214196e+02},
+    {"stress", Layer::No, "von_mises", 1, 2, 1.314756e+04},
+    {"stress", Layer::No, "zx", 1, 4, -9.214196e+02},
+    {"stress", Layer::No, "xy", 2, 6, -1.329118e+03},
+    {"stress", Layer::No, "von_mises", 2, 8, 1.034083e+04},
+    {"stress", Layer::Bottom, "von_mises", 6, 4, 9.797846e+03},
+    {"stress", Layer::Top, "von_mises", 6, 4, 9.650432e+03},
+    {"stress", Layer::Bottom, "major", 6, 1, 9.984315e+03},
+    {"stress", Layer::Top, "minor", 6, 1, -8.298007e+02},
+    {"stress", Layer::Bottom, "von_mises", 8, 3, 1.023015e+04},
+    {"stress", Layer::Top, "von_mises", 8, 3, 1.046995e+04},
+    {"axial_stress", Layer::No, "value", 14, 0, 2.432185e+04},
+    {"axial_stress", Layer::No, "value", 15, 0, 2.438213e+04},
+    {"axial_stress", Layer::No, "value", 13, 0, 1.028287e+04},
+    {"strain", Layer::No, "xx", 1, 2, -1.347017e-04},
+    {"strain", Layer::No, "xy", 1, 2, 1.880528e-06},
+    {"strain", Layer::No, "von_mises", 1, 2, 3.989604e-04},
+    {"strain", Layer::Middle, "von_mises", 6, 4, 2.731759e-04},
+    {"curvature", Layer::No, "major", 6, 4, 2.760603e-05},
+};
+
+TEST(NastranOp2, stresses_and_strains_are_those_on_the_printed_page) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    Diagnostics diagnostics;
+    const auto model = open_corpus("models/sol_101_elements/static_solid_shell_bar.op2", diagnostics);
+    for (const Printed& printed : kPages) {
+        const Result result = load(*model, printed.name, printed.layer);
+        const float found = value_at(model->mesh(), result, printed.component, printed.element, printed.node);
+        EXPECT_NEAR(found, printed.value, 6e-7 * std::abs(printed.value))
+            << printed.name << " " << printed.component << " of element " << printed.element << " at "
+            << printed.node;
+    }
+}
+
+double von_mises_of(const float* s) {
+    const double xy = double(s[0]) - s[1], yz = double(s[1]) - s[2], zx = double(s[2]) - s[0];
+    const double shear = double(s[3]) * s[3] + double(s[4]) * s[4] + double(s[5]) * s[5];
+    return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * shear);
+}
+
+/// Ply stresses and nothing else: opens with its deck only.
+constexpr const char* kWithoutNodes = "models/unit/pcomp/pcomp_ctria3.op2";
+
+/// Largest differences of the file's own von Mises value from that of its tensor, relative to the largest.
+TEST(NastranOp2, tensors_of_solids_have_the_von_mises_stress_that_the_file_gives_them) {
+    const auto answers = test::corpus_file("nastran/answers.json");
+    if (!answers) GTEST_SKIP() << "the corpus is not here";
+    std::size_t rows = 0;
+    for (const test::Op2File& file : test::read_op2_answers(*answers)) {
+        if (file.failed || file.path == kWithoutNodes) continue;
+        SCOPED_TRACE(file.path);
+        Diagnostics diagnostics;
+        const auto model = open_corpus(file.path, diagnostics);
+        for (std::size_t i = 0; i < model->results().size(); ++i) {
+            const ResultInfo& info = model->results()[i];
+            const bool is_tensor = info.shape == Shape::SymmetricTensor && info.name.starts_with("stress");
+            if (!is_tensor || component_index(info, "von_mises") != 6) continue;
+            const Result result = model->load(i);
+            double largest = 0;
+            for (std::size_t row = 0; row < result.row_count(); ++row)
+                largest = std::fmax(largest, double(result.values[row * 7 + 6]));
+            for (std::size_t row = 0; row < result.row_count(); ++row) {
+                const float* values = &result.values[row * 7];
+                if (std::isnan(values[0])) continue;
+                ++rows;
+                EXPECT_NEAR(von_mises_of(values), values[6], 2e-6 * largest);
+            }
+        }
+    }
+    EXPECT_GT(rows, 1000U);
+}
+
+}  // namespace
+}  // namespace feelem
