@@ -18,6 +18,8 @@ export interface PageState {
   readonly step: number;
   readonly deformationFactor: number;
   readonly session: "none" | "immersive-vr";
+  /** What each feature says of itself (docs/page-api.md). */
+  readonly [feature: string]: unknown;
 }
 
 export interface PageApi {

@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wires scene, state, drawing, pointers, senses and panels: the only file that knows them all.
-import { Ray } from "three";
 import { attachKeyboard, type KeyCommand } from "../input/keyboard";
-import { attachMouse } from "../input/mouse";
 import { findElement, findNode, type Place } from "../probe";
 import { Stage } from "../render";
 import type { SceneData } from "../scene";
-import type { Actions, Marker, ViewName } from "../ui";
-import type { ApiSource } from "./api";
-import { type ExtremePlace, extremePlaces } from "./extremes";
+import type { Actions, ViewName } from "../ui";
+import type { ApiSource, PageState } from "./api";
+import { attachDeskPointer } from "./desk-pointer";
+import type { Feature } from "./features/feature";
+import { makeFeatures } from "./features/list";
 import { firstState } from "./first-state";
 import { keyCommands } from "./keys";
 import { makeActions } from "./make-actions";
 import { ModelView } from "./model-view";
+import { Overlay } from "./overlay";
 import type { Page } from "./page";
+import { PageView } from "./page-view";
 import { Player } from "./player";
 import { PIN, Probing } from "./probing";
 import { Senses } from "./senses";
-import { fitModel, inSight, lookFrom, turnTo } from "./sight";
+import { fitModel, flyTo, lookFrom, turnTo } from "./sight";
 import { type Arrow, neighbourPlace } from "./step-pin";
 import { Store, type ViewState } from "./store";
 import { applyTheme, followSystem } from "./theme";
 import { ViewModels } from "./view-models";
 import { VrEntry } from "./vr-entry";
-
-const MOUSE = "mouse";
-const scratchRay = new Ray();
 
 export interface AppOptions {
   readonly sceneUrl: string;
@@ -39,12 +38,15 @@ export class App implements ApiSource {
   readonly probing: Probing;
   readonly actions: Actions;
   readonly senses: Senses;
+  readonly models: ViewModels;
+  readonly overlay: Overlay;
+  readonly features: readonly Feature[];
+  readonly keys: readonly KeyCommand[];
+  readonly player: Player;
   readonly #page: Page;
-  readonly #player: Player;
-  readonly #models: ViewModels;
+  readonly #pageView: PageView;
   readonly #vr: VrEntry;
-  readonly #keys: readonly KeyCommand[];
-  #extremes: readonly ExtremePlace[] = [];
+  readonly #removals: (() => void)[] = [];
   #stale = true;
 
   constructor(page: Page, scene: SceneData, options: AppOptions) {
@@ -55,26 +57,25 @@ export class App implements ApiSource {
     this.stage.holder.add(this.view.model.group);
     this.probing = new Probing(this.view, this.store);
     this.senses = new Senses(this.view, this.probing, this.store, this.stage);
-    this.#player = new Player(this.view, this.store, this.stage);
-    this.#models = new ViewModels(this.view, this.store, this.probing, this.#player);
-    const boards = {
-      panelModel: (hover: string | null) => this.#models.panel(hover),
-      legendModel: () => this.#models.legend(),
-      cardModel: () => this.#models.card(),
-      marks: () => this.#marks(),
-    };
-    this.#vr = new VrEntry(this, boards, () => {
-      this.#render();
-      this.#invalidate();
-    });
-    this.actions = makeActions(this, this.#player);
-    this.#keys = keyCommands(this.actions, (on) => this.#hold(on));
-    attachKeyboard(this.#keys);
-    this.#attachPointer();
-    this.store.subscribe((state, before) => this.#stateChanged(state, before));
-    this.stage.onFrame(() => this.#frame());
+    this.player = new Player(this.view, this.store, this.stage);
+    this.models = new ViewModels(this.view, this.store, this.probing, this.player);
+    this.overlay = new Overlay(this);
+    this.#vr = new VrEntry(this, () => this.#refreshPage());
+    this.#pageView = new PageView(this, page, this.player);
+    this.actions = makeActions(this, this.player);
+    this.features = makeFeatures(this);
+    this.keys = [
+      ...keyCommands(this.actions, (on) => this.hold(on)),
+      ...this.features.flatMap((f) => f.commands?.() ?? []),
+    ];
+    this.#removals.push(
+      attachKeyboard(this.keys),
+      attachDeskPointer(this),
+      this.store.subscribe((state, before) => this.#stateChanged(state, before)),
+      this.stage.onFrame(() => this.#frame()),
+      followSystem(() => applyTheme(this.store.state.theme, this.stage)),
+    );
     applyTheme(this.store.state.theme, this.stage);
-    followSystem(() => applyTheme(this.store.state.theme, this.stage));
   }
 
   async start(): Promise<void> {
@@ -82,6 +83,10 @@ export class App implements ApiSource {
     this.fit();
     await this.view.picker.build();
     await this.#vr.ask();
+  }
+
+  get vrAnswer() {
+    return this.#vr.answer;
   }
 
   enterVr(): Promise<void> {
@@ -92,9 +97,10 @@ export class App implements ApiSource {
     return this.view.scene.extras;
   }
 
-  state() {
+  state(): PageState {
     const { doc, step, session } = this.store.state;
-    return { presentation: doc, step, deformationFactor: this.view.factor, session };
+    const own = { presentation: doc, step, deformationFactor: this.view.factor, session };
+    return Object.assign({}, ...this.features.map((f) => f.report?.() ?? {}), own);
   }
 
   report() {
@@ -128,55 +134,54 @@ export class App implements ApiSource {
     if (place) this.probing.move(PIN, "keyboard", place);
     else this.probing.remove(PIN);
     if (place) turnTo(this.stage, this.view, place);
-    this.#invalidate();
+    this.invalidate();
+  }
+
+  /** Marks a place and, at the desk, brings the camera before it. */
+  flyTo(place: Place): void {
+    this.probing.move(PIN, "keyboard", place);
+    if (this.store.state.session === "none") flyTo(this.stage, this.view, place);
+    this.invalidate();
   }
 
   stepPin(arrow: Arrow): void {
     const from = this.probing.pinned?.place;
-    const start = this.probing.current()?.place ?? this.#extremes[0]?.place ?? null;
+    const start = this.probing.current()?.place ?? this.overlay.firstExtreme;
     const to = from ? neighbourPlace(this.view, this.stage, from, arrow) : start;
     if (to) this.pin(to);
   }
 
-  #attachPointer(): void {
-    const { stage } = this;
-    const pick = (x: number, y: number) =>
-      this.view.picker.ray(stage.rayThrough(x, y, scratchRay), this.view.model.worldMatrix());
-    attachMouse({
-      canvas: stage.canvas,
-      hitsModel: (x, y) => pick(x, y) !== null,
-      hover: (x, y, kind) => {
-        this.probing.move(MOUSE, kind, pick(x, y));
-        this.#invalidate();
-      },
-      leave: () => {
-        this.probing.move(MOUSE, "mouse", null);
-        this.#invalidate();
-      },
-      hold: (on) => this.#hold(on),
-      turn: (dx, dy) => stage.orbit.turn(dx * 0.008, dy * 0.008),
-      pan: (dx, dy) => stage.orbit.pan(dx, dy, stage.canvas.clientHeight),
-      zoom: (scale, x, y) => stage.orbit.zoom(scale, pick(x, y)?.world ?? null),
-    });
-  }
-
   /** Hear and feel what the mouse, or else the pin, is on. */
-  #hold(on: boolean): void {
+  hold(on: boolean): void {
     const pointer = this.probing.current();
     if (on && pointer) this.probing.hold(pointer.name, pointer.kind, true);
     else this.probing.releaseAll();
-    this.#invalidate();
+    this.invalidate();
   }
 
-  #invalidate(): void {
+  /** The pointer is on the opened inside of the model, of which a skin knows no values; canvas pixels. */
+  setInside(at: { x: number; y: number } | null): void {
+    this.#page.renderInside(at, this.view.insideText);
+  }
+
+  /** A short word for people and screen readers. */
+  say(text: string): void {
+    this.#page.toast(text);
+  }
+
+  invalidate(): void {
     this.#stale = true;
     this.stage.invalidate();
   }
 
+  #refreshPage(): void {
+    this.#pageView.render();
+    this.invalidate();
+  }
+
   #reshown(): void {
-    this.#extremes = extremePlaces(this.view, this.view.shownAs("colour"), this.store.state.step);
-    this.#render();
-    this.#invalidate();
+    this.overlay.renew();
+    this.#refreshPage();
   }
 
   #stateChanged(state: ViewState, before: ViewState): void {
@@ -184,116 +189,24 @@ export class App implements ApiSource {
     if (state.deformMode !== before.deformMode || state.typedFactor !== before.typedFactor)
       this.view.applyFactor();
     if (state.theme !== before.theme) applyTheme(state.theme, this.stage);
-    if (state.shading !== before.shading)
-      this.view.model.material.setShadeFloor(state.shading ? this.#shadeFloor() : 1);
+    if (state.shading !== before.shading) this.view.applyShading();
     this.view.model.setEdges(state.edges);
-    this.#render();
-    this.#invalidate();
+    this.#refreshPage();
   }
 
-  #shadeFloor(): number {
-    const effects = this.store.state.doc.effects;
-    const colour = Array.isArray(effects) ? effects.find((e) => e?.type === "colour") : undefined;
-    return typeof colour?.shadeFloor === "number" ? Math.min(Math.max(colour.shadeFloor, 0), 1) : 0.75;
-  }
-
-  #render(): void {
-    const { state } = this.store;
-    const { extras, parts } = this.view.scene;
-    const triangles = parts.reduce((sum, part) => sum + part.indices.length / 3, 0);
-    const title = extras.title || "Untitled model";
-    document.title = `${title} · Feelem`;
-    this.#page.renderTop(
-      {
-        title,
-        triangles,
-        lengthUnit: extras.lengthUnit?.name ?? null,
-        state,
-        vr: this.#vr.answer.vr,
-        vrHint: this.#vr.answer.hint,
-      },
-      this.actions,
-    );
-    this.#page.renderLeft(this.#models.table(), this.#keys, this.actions);
-    this.#page.renderBottom(
-      {
-        steps: extras.steps,
-        step: state.step,
-        playing: state.playing,
-        canPlay: this.#player.canPlay,
-        deformMode: state.deformMode,
-        factor: this.view.factor,
-        automaticFactor: this.view.automaticFactor,
-        hasShape: this.view.hasShape,
-      },
-      this.actions,
-    );
-    this.#page.renderBanner(state.problem, state.loading, this.actions);
-    this.#renderLegend();
-  }
-
-  #renderLegend(): void {
-    this.#page.renderLegend(this.#models.legend(), this.actions);
-  }
-
-  /** Whatever follows the camera or the pointer. */
   #frame(): void {
     const { stage, view } = this;
     if (stage.renderer.xr.isPresenting) return;
     view.model.fadeEdges(stage.orbit.pixelSize(stage.canvas.clientHeight));
     if (!this.#stale && !this.store.state.playing) return;
     this.#stale = false;
-    const matrix = view.model.worldMatrix();
-    this.#page.renderTriad(stage, matrix, this.actions);
-    const current = this.probing.current();
-    const place = current?.place ?? null;
-    const at = place && stage.project(view.picker.worldOf(place, matrix));
-    this.#page.renderCard(this.#models.card(), at, () => this.pin(null));
-    this.#page.renderMarkers(this.#markers(at, current?.name === PIN));
-    this.#renderLegend();
+    this.#pageView.follow();
   }
 
-  /** The extremes in the room, metres. */
-  #marks() {
-    if (!this.store.state.extremes) return [];
-    const matrix = this.view.model.worldMatrix();
-    return this.#extremes.map(({ kind, text, detail, place }) => ({
-      kind,
-      text,
-      detail,
-      at: this.view.picker.worldOf(place, matrix),
-    }));
-  }
-
-  #markers(reticle: { x: number; y: number } | null, pinned: boolean): Marker[] {
-    const { stage, view } = this;
-    const matrix = view.model.worldMatrix();
-    const markers: Marker[] = [];
-    if (this.store.state.extremes) {
-      for (const { kind, text, detail, place } of this.#extremes) {
-        const at = stage.project(view.picker.worldOf(place, matrix));
-        if (!at) continue;
-        markers.push({
-          kind,
-          text,
-          detail,
-          ...at,
-          hidden: !inSight(stage, view, place),
-          flipped: at.x > stage.canvas.clientWidth - 190,
-          click: () => this.pin(place),
-        });
-      }
-    }
-    if (reticle)
-      markers.push({
-        kind: pinned ? "pin" : "reticle",
-        text: "",
-        detail: "",
-        ...reticle,
-        hidden: false,
-        flipped: false,
-        click: null,
-      });
-    return markers;
+  dispose(): void {
+    for (const remove of this.#removals) remove();
+    this.senses.dispose();
+    this.view.dispose();
+    this.stage.dispose();
   }
 }

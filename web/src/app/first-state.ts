@@ -53,5 +53,10 @@ export function firstState(scene: SceneData): ViewState {
       scene.gaps.length > 0 ? `The scene has lost ${scene.gaps.join(", ")}: they cannot be shown.` : null,
     notice: "",
     loading: false,
+    cuts: [],
+    hidden: [],
+    clear: [],
+    open: [],
+    hot: { count: 5, share: 0.05, by: "value", end: "largest", marks: true },
   };
 }

@@ -31,6 +31,10 @@ export function makeActions(app: App, player: Player): Actions {
     unpin: () => app.pin(null),
     stepPin: (right, down) => app.stepPin([right, down]),
     enterVr: () => void app.enterVr(),
+    openSection: (id, on) => {
+      const { open } = store().state;
+      if (open.includes(id) !== on) store().set({ open: on ? [...open, id] : open.filter((o) => o !== id) });
+    },
     dismissProblem: () => store().set({ problem: null }),
   };
 }

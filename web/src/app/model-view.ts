@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene + state -> what is drawn: loads the results of a step, sets ranges, colour and deformation.
+import { Vector3 } from "three";
 import { automaticDeformationFactor, type ValueRange } from "../present";
-import { Picker } from "../probe";
+import { type Cut, Picker } from "../probe";
 import { ModelObject } from "../render";
 import { MISSING, type PartField, type SceneData, type SceneResult, type SceneStep } from "../scene";
-import { colourEffect, drivenBy, findResult, type Presented, presentedOf } from "./presentation-doc";
+import {
+  colourEffect,
+  colourEntry,
+  drivenBy,
+  findResult,
+  type Presented,
+  presentedOf,
+} from "./presentation-doc";
 import { type Fields, rangeOf } from "./ranges";
 import type { Store } from "./store";
+
+const scratch = new Vector3();
 
 /** A result of the presentation with its values and range at the step that is shown. */
 export interface Shown extends Presented {
@@ -27,6 +37,7 @@ export class ModelView {
   #turn = 0;
   /** Position in the swing of a mode, -1..1; 1 at rest. */
   #phase = 1;
+  #cuts: readonly Cut[] = [];
 
   constructor(scene: SceneData, store: Store, changed: () => void) {
     this.scene = scene;
@@ -138,6 +149,39 @@ export class ModelView {
     const factor = this.factor * phase;
     this.model.setFactor(factor);
     this.picker.setShape(this.#displacements, factor);
+  }
+
+  /** Diagonal of the undeformed box, model units. */
+  get diagonal(): number {
+    return this.model.box.getSize(scratch).length();
+  }
+
+  /** Planes in force, model units minus the scene's origin. */
+  get cuts(): readonly Cut[] {
+    return this.#cuts;
+  }
+
+  applyCuts(): void {
+    const [x, y, z] = this.scene.extras.origin ?? [0, 0, 0];
+    this.#cuts = this.#store.state.cuts
+      .filter((cut) => cut.on)
+      .map(({ normal, offset }) => ({
+        normal,
+        offset: offset - normal[0] * x - normal[1] * y - normal[2] * z,
+      }));
+    this.model.setCuts(this.#cuts);
+    this.picker.setCuts(this.#cuts);
+  }
+
+  /** What is said of the material that a cut has opened. */
+  get insideText(): string {
+    return "Inside the material: this scene holds the skin only, so there is no value here.";
+  }
+
+  applyShading(): void {
+    const entry = colourEntry(this.#store.state.doc);
+    const floor = typeof entry?.shadeFloor === "number" ? Math.min(Math.max(entry.shadeFloor, 0), 1) : 0.75;
+    this.model.setShadeFloor(this.#store.state.shading ? floor : 1);
   }
 
   get ready(): boolean {

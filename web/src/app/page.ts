@@ -15,7 +15,9 @@ import {
   markersTemplate,
   paintLegend,
   resultTableTemplate,
+  type Section,
   type StepBarModel,
+  sectionsTemplate,
   stepBarTemplate,
   type TableModel,
   type TopBarModel,
@@ -50,6 +52,9 @@ export class Page {
   readonly #triad: HTMLElement;
   readonly #card: HTMLElement;
   readonly #banner: HTMLElement;
+  readonly #inside: HTMLElement;
+  readonly #toast: HTMLElement;
+  #toastTimer = 0;
   readonly #said: HTMLElement;
   #sayTimer = 0;
   #toSay = "";
@@ -67,6 +72,10 @@ export class Page {
     this.#card = child("card", overlay);
     this.#card.hidden = true;
     this.#banner = child("banners", overlay);
+    this.#inside = child("card inside", overlay);
+    this.#inside.hidden = true;
+    this.#toast = child("toast", overlay);
+    this.#toast.hidden = true;
     this.#said = child("said", host);
     this.#said.setAttribute("role", "status");
     this.#said.setAttribute("aria-live", "polite");
@@ -76,10 +85,17 @@ export class Page {
     render(topBarTemplate(model, actions), this.#top);
   }
 
-  renderLeft(model: TableModel, keys: readonly KeyCommand[], actions: Actions): void {
+  renderLeft(
+    model: TableModel,
+    sections: readonly Section[],
+    open: readonly string[],
+    keys: readonly KeyCommand[],
+    actions: Actions,
+  ): void {
     render(
       html`${resultTableTemplate(model, actions)}
-        <details class="help" open><summary>Mouse and keys</summary><dl>
+        ${sectionsTemplate(sections, open, (id, on) => actions.openSection(id, on))}
+        <details class="help"><summary>Mouse and keys</summary><dl>
           <dt>Point at the model</dt><dd>read every value there</dd>
           <dt>Press on the model</dt><dd>hear and feel; drag to sweep</dd>
           <dt>Drag beside it, middle button</dt><dd>turn</dd>
@@ -142,6 +158,27 @@ export class Page {
     );
     this.#card.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
     this.say(cardSentence(model));
+  }
+
+  /** The pointer is on the inside that a cut has opened. */
+  renderInside(at: { x: number; y: number } | null, text: string): void {
+    this.#inside.hidden = !at;
+    if (!at) return;
+    this.#inside.textContent = text;
+    const x = Math.min(at.x + 18, Math.max(4, this.stageHost.clientWidth - this.#inside.offsetWidth - 4));
+    this.#inside.style.transform = `translate(${Math.round(x)}px, ${Math.round(at.y + 14)}px)`;
+    this.say(text);
+  }
+
+  /** A word that goes away by itself. */
+  toast(text: string): void {
+    this.#toast.textContent = text;
+    this.#toast.hidden = false;
+    this.say(text);
+    clearTimeout(this.#toastTimer);
+    this.#toastTimer = window.setTimeout(() => {
+      this.#toast.hidden = true;
+    }, 3500);
   }
 
   /** There is no scene to show. */

@@ -137,6 +137,11 @@ export function slotsOf(doc: PresentationDoc, key: string): Slot[] {
   return SLOTS.filter((slot) => drivenBy(doc, slot) === key);
 }
 
+/** The colour effect as the document has it. */
+export function colourEntry(doc: PresentationDoc): Json | null {
+  return effectEntry(doc, "colour");
+}
+
 export function colourEffect(doc: PresentationDoc): ColourEffect | null {
   const entry = effectEntry(doc, "colour");
   if (!entry) return null;

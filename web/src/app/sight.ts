@@ -44,3 +44,10 @@ export function turnTo(stage: Stage, view: ModelView, place: Place): void {
   const direction = world.sub(view.model.sphere().center);
   if (direction.lengthSq() > 0) stage.orbit.lookFrom(direction);
 }
+
+/** Brings the camera before a place, so near that its surroundings fill the view. */
+export function flyTo(stage: Stage, view: ModelView, place: Place): void {
+  turnTo(stage, view, place);
+  const world = view.picker.worldOf(place, view.model.worldMatrix());
+  stage.orbit.goTo(world, Math.min(stage.orbit.distance, 1.6 * view.model.sphere().radius));
+}

@@ -24,6 +24,31 @@ export interface ViewState {
   /** What happened last, for people and screen readers. */
   readonly notice: string;
   readonly loading: boolean;
+  /** Ids of parts that are not drawn, and of those one sees through. */
+  readonly hidden: readonly number[];
+  readonly clear: readonly number[];
+  /** Sections of the page that are unfolded. */
+  readonly open: readonly string[];
+  readonly hot: HotOptions;
+  readonly cuts: readonly CutState[];
+}
+
+/** A plane that cuts the model, in the coordinates of the solver; the side its normal points to is gone. */
+export interface CutState {
+  readonly normal: readonly [number, number, number];
+  readonly offset: number;
+  readonly on: boolean;
+}
+
+/** Which places of largest or smallest value are listed. */
+export interface HotOptions {
+  readonly count: number;
+  /** Of the model's diagonal: nearer ones count as the same place. */
+  readonly share: number;
+  readonly by: "value" | "utilisation";
+  readonly end: "largest" | "smallest";
+  /** Their numbers stand on the model. */
+  readonly marks: boolean;
 }
 
 export type Listener = (state: ViewState, before: ViewState) => void;

@@ -61,7 +61,7 @@ export class ViewModels {
     const { state } = this.#store;
     const shown = this.#view.shownAs("colour");
     const effect = colourEffect(state.doc);
-    const { palette } = this.#view.model.material;
+    const { palette } = this.#view.model;
     if (!shown || !effect || !palette) return null;
     const { step, factor } = this.#view;
     return {

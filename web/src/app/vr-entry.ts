@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the page into the headset and back.
-import { askForVr, requestVr, type VrAnswer, type VrHost, VrSession } from "../xr";
+import { askForVr, requestVr, type VrAnswer, VrSession } from "../xr";
 import type { App } from "./app";
 import { applyTheme } from "./theme";
-
-export type Boards = Omit<VrHost, "app">;
 
 export class VrEntry {
   answer: VrAnswer = { vr: "unknown", hint: "" };
   readonly #app: App;
-  readonly #boards: Boards;
   readonly #changed: () => void;
 
-  constructor(app: App, boards: Boards, changed: () => void) {
+  constructor(app: App, changed: () => void) {
     this.#app = app;
-    this.#boards = boards;
     this.#changed = changed;
   }
 
@@ -37,7 +33,7 @@ export class VrEntry {
       await stage.renderer.xr.setSession(session);
       store.set({ session: "immersive-vr", problem: null });
       senses.watch(session);
-      new VrSession({ app: this.#app, ...this.#boards }, session, () => this.#left());
+      new VrSession(this.#app, session, () => this.#left());
     } catch (error) {
       const reason = error instanceof Error ? error.message : String(error);
       store.set({ problem: `The headset cannot be entered: ${reason}` });

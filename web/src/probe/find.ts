@@ -30,3 +30,9 @@ export function findElement(parts: readonly ScenePart[], id: number): Place | nu
   }
   return null;
 }
+
+/** A triangle corner at a vertex; null when no triangle has it. */
+export function placeOfVertex(parts: readonly ScenePart[], part: number, vertex: number): Place | null {
+  const i = parts[part]?.indices.indexOf(vertex) ?? -1;
+  return i < 0 ? null : { part, triangle: Math.floor(i / 3), weights: CORNERS[i % 3] ?? CORNERS[0] };
+}

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drawing: stage, model, palette.
+export { featureEdges } from "./feature-edges";
+export { type CutPlane, MAX_CUTS } from "./field-material";
 export { ModelObject } from "./model-object";
 export { Orbit } from "./orbit";
 export { makePalette, type Palette, texelOf } from "./palette";
+export type { PartLook } from "./part-table";
 export { Stage } from "./stage";

@@ -1,105 +1,88 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scene as three.js objects: positions once, value and displacement per step.
-import {
-  Box3,
-  BufferAttribute,
-  BufferGeometry,
-  Group,
-  LineSegments,
-  Matrix4,
-  Mesh,
-  Sphere,
-  Vector3,
-} from "three";
+// The model as three.js draws it: positions once, value and displacement per step, parts by a table.
+import { Box3, type BufferAttribute, Group, LineSegments, Matrix4, Mesh, Sphere, Vector3 } from "three";
 import type { ColourEffect, ValueRange } from "../present";
 import { MISSING, type PartField, type SceneData, type ScenePart } from "../scene";
-import { EdgeMaterial, FieldMaterial } from "./field-material";
-
-interface Drawn {
-  readonly part: ScenePart;
-  readonly faces: BufferGeometry;
-  readonly edges: BufferGeometry | null;
-  /** For each edge vertex, a vertex of the part with the same node; -1 if none. */
-  readonly edgeSource: Int32Array | null;
-}
-
-function edgeSources(part: ScenePart): Int32Array | null {
-  if (!part.edges) return null;
-  const vertexOf = new Map<number, number>();
-  for (const [vertex, id] of part.nodeIds.entries()) {
-    if (id !== 0 && !vertexOf.has(id)) vertexOf.set(id, vertex);
-  }
-  return Int32Array.from(part.edges.nodeIds, (id) => vertexOf.get(id) ?? -1);
-}
-
-function drawnOf(part: ScenePart): Drawn {
-  const count = part.nodeIds.length;
-  const faces = new BufferGeometry();
-  faces.setAttribute("position", new BufferAttribute(part.positions, 3));
-  if (part.normals) faces.setAttribute("normal", new BufferAttribute(part.normals, 3));
-  faces.setAttribute("value", new BufferAttribute(new Float32Array(count), 1));
-  faces.setAttribute("missing", new BufferAttribute(new Float32Array(count), 1));
-  faces.setAttribute("displacement", new BufferAttribute(new Float32Array(3 * count), 3));
-  faces.setIndex(new BufferAttribute(part.indices, 1));
-  if (!part.normals) faces.computeVertexNormals();
-  let edges: BufferGeometry | null = null;
-  if (part.edges) {
-    edges = new BufferGeometry();
-    edges.setAttribute("position", new BufferAttribute(part.edges.positions, 3));
-    edges.setAttribute("displacement", new BufferAttribute(new Float32Array(part.edges.positions.length), 3));
-    edges.setIndex(new BufferAttribute(part.edges.indices, 1));
-  }
-  return { part, faces, edges, edgeSource: edgeSources(part) };
-}
-
-/** Median length of the element edges, model units; 0 without edges. */
-function typicalEdge(parts: readonly ScenePart[]): number {
-  const lengths: number[] = [];
-  for (const { edges } of parts) {
-    if (!edges) continue;
-    const step = Math.max(2, 2 * Math.floor(edges.indices.length / 2000));
-    for (let i = 0; i + 1 < edges.indices.length; i += step) {
-      const [a, b] = [3 * (edges.indices[i] ?? 0), 3 * (edges.indices[i + 1] ?? 0)];
-      const d = (axis: number) => (edges.positions[a + axis] ?? 0) - (edges.positions[b + axis] ?? 0);
-      lengths.push(Math.hypot(d(0), d(1), d(2)));
-    }
-  }
-  lengths.sort((a, b) => a - b);
-  return lengths[Math.floor(lengths.length / 2)] ?? 0;
-}
+import { edgeSources, makeGhost, typicalEdge } from "./edge-lines";
+import {
+  type CutPlane,
+  EdgeMaterial,
+  FieldMaterial,
+  setColourUniforms,
+  setCutUniforms,
+  setUniform,
+  sharedUniforms,
+  type Uniforms,
+} from "./field-material";
+import { type Merged, mergeEdges, mergeFaces } from "./merged";
+import type { Palette } from "./palette";
+import { type PartLook, PartTable } from "./part-table";
 
 const scratchScale = new Vector3();
 
 export class ModelObject {
   /** Carries the scene's matrix; put it under whatever moves the model. */
   readonly group = new Group();
-  readonly material = new FieldMaterial();
-  readonly edgeMaterial = new EdgeMaterial();
   /** Undeformed box, model units minus origin. */
   readonly box = new Box3();
-  readonly #drawn: Drawn[];
+  readonly #parts: readonly ScenePart[];
+  readonly #table: PartTable;
+  readonly #uniforms: Uniforms;
+  readonly #faces: Merged;
+  readonly #edges: Merged | null;
+  /** For each edge vertex, a vertex of the faces with the same node; -1 if none. */
+  readonly #edgeSource: Int32Array | null;
+  readonly #shown: FieldMaterial;
+  readonly #clear: FieldMaterial;
+  readonly #clearMesh: Mesh;
+  readonly #edgeMaterial: EdgeMaterial;
+  readonly #ghostMaterial: EdgeMaterial;
   readonly #typicalEdge: number;
+  #ghost: LineSegments | null = null;
   #edgesWanted = true;
+  #palette: Palette | null = null;
 
   constructor(scene: SceneData) {
     this.group.matrixAutoUpdate = false;
     this.group.matrix.fromArray([...scene.matrix]);
-    this.#drawn = scene.parts.map(drawnOf);
-    for (const drawn of this.#drawn) {
-      drawn.faces.computeBoundingBox();
-      if (drawn.faces.boundingBox) this.box.union(drawn.faces.boundingBox);
-      const mesh = new Mesh(drawn.faces, this.material);
-      mesh.frustumCulled = false;
-      this.group.add(mesh);
-      if (drawn.edges) {
-        const lines = new LineSegments(drawn.edges, this.edgeMaterial);
-        lines.frustumCulled = false;
-        lines.renderOrder = 1;
-        this.group.add(lines);
-      }
+    this.#parts = scene.parts;
+    this.#table = new PartTable(scene.parts.map((part) => part.info.kind === "solid"));
+    this.#uniforms = sharedUniforms(this.#table);
+    this.#shown = new FieldMaterial(this.#uniforms, "shown");
+    this.#clear = new FieldMaterial(this.#uniforms, "clear");
+    this.#edgeMaterial = new EdgeMaterial(this.#uniforms, 0x0b0d10);
+    this.#ghostMaterial = new EdgeMaterial(this.#uniforms, 0x6a7880, true);
+    for (const { positions } of scene.parts) {
+      for (let i = 0; i + 2 < positions.length; i += 3)
+        this.box.expandByPoint(
+          scratchScale.set(positions[i] ?? 0, positions[i + 1] ?? 0, positions[i + 2] ?? 0),
+        );
     }
     this.#typicalEdge = typicalEdge(scene.parts);
-    this.material.setHatchSpacing(this.box.getSize(new Vector3()).length() / 60);
+    this.#faces = mergeFaces(scene.parts);
+    this.#edges = mergeEdges(scene.parts);
+    this.#edgeSource = this.#edges && edgeSources(this.#faces.slices, this.#edges.slices);
+    const shown = new Mesh(this.#faces.geometry, this.#shown);
+    this.#clearMesh = new Mesh(this.#faces.geometry, this.#clear);
+    this.#clearMesh.visible = false;
+    this.#clearMesh.renderOrder = 2;
+    const drawn = [shown, this.#clearMesh];
+    for (const mesh of drawn) mesh.frustumCulled = false;
+    this.group.add(...drawn);
+    if (this.#edges) this.#addLines(new LineSegments(this.#edges.geometry, this.#edgeMaterial), 1);
+    const diagonal = this.box.getSize(new Vector3()).length();
+    setUniform(this.#uniforms, "hatchScale", diagonal > 0 ? 60 / diagonal : 1);
+    setUniform(this.#uniforms, "capHatch", diagonal > 0 ? 90 / diagonal : 1);
+  }
+
+  #addLines(lines: LineSegments, order: number): void {
+    lines.frustumCulled = false;
+    lines.renderOrder = order;
+    this.group.add(lines);
+  }
+
+  get palette(): Palette | null {
+    return this.#palette;
   }
 
   /** Longest side of the undeformed box, model units. */
@@ -118,52 +101,98 @@ export class ModelObject {
   }
 
   setColour(effect: ColourEffect | null, range: ValueRange | null): void {
-    this.material.setColour(effect, range);
+    this.#palette = setColourUniforms(this.#uniforms, effect, range);
+  }
+
+  /** Lines at the borders of bands; the limit's line: sign 1 for an upper limit, -1 for a lower, 0 for none. */
+  setLines(lines: { isolines: boolean; limit: number; limitSign: number; missingHatch: boolean }): void {
+    for (const [name, value] of Object.entries(lines)) setUniform(this.#uniforms, name, value);
   }
 
   /** Values to colour by; null: none. */
   setValues(fields: readonly (PartField | null)[] | null, component: number): void {
-    for (const [index, { faces }] of this.#drawn.entries()) {
-      const value = faces.getAttribute("value") as BufferAttribute;
-      const missing = faces.getAttribute("missing") as BufferAttribute;
+    const value = this.#faces.geometry.getAttribute("value") as BufferAttribute;
+    const missing = this.#faces.geometry.getAttribute("missing") as BufferAttribute;
+    for (const [index, { firstVertex, vertices }] of this.#faces.slices.entries()) {
       const field = fields?.[index] ?? null;
-      for (let i = 0; i < value.count; ++i) {
+      for (let i = 0; i < vertices; ++i) {
         const gone = !field || field.state[i] === MISSING;
-        value.array[i] = gone ? 0 : (field.values[i * field.components + component] ?? 0);
-        missing.array[i] = gone ? 1 : 0;
+        value.array[firstVertex + i] = gone ? 0 : (field.values[i * field.components + component] ?? 0);
+        missing.array[firstVertex + i] = gone ? 1 : 0;
       }
-      value.needsUpdate = true;
-      missing.needsUpdate = true;
     }
+    value.needsUpdate = true;
+    missing.needsUpdate = true;
   }
 
-  /** Displacement vectors, model units, 3 a vertex; a vertex without one stays in its place. */
-  setDisplacements(displacements: readonly (Float32Array | null)[]): void {
-    for (const [index, { faces, edges, edgeSource }] of this.#drawn.entries()) {
+  /** Displacement vectors a part, model units, 3 a vertex; a vertex without one stays. `im`: of a complex mode. */
+  setDisplacements(
+    displacements: readonly (Float32Array | null)[],
+    im: readonly (Float32Array | null)[] | null = null,
+  ): void {
+    this.#displace("displacement", displacements);
+    if (im) this.#displace("displacementIm", im);
+    else setUniform(this.#uniforms, "factorIm", 0);
+  }
+
+  #displace(name: string, displacements: readonly (Float32Array | null)[]): void {
+    const faces = this.#faces.geometry;
+    if (!faces.hasAttribute(name)) {
+      for (const merged of [this.#faces, this.#edges])
+        merged?.geometry.setAttribute(name, merged.geometry.getAttribute("displacement").clone());
+    }
+    const target = faces.getAttribute(name) as BufferAttribute;
+    for (const [index, { firstVertex, vertices }] of this.#faces.slices.entries()) {
       const source = displacements[index] ?? null;
-      const target = faces.getAttribute("displacement") as BufferAttribute;
-      for (let i = 0; i < target.array.length; ++i) {
+      for (let i = 0; i < 3 * vertices; ++i) {
         const moved = source?.[i] ?? 0;
-        target.array[i] = Number.isNaN(moved) ? 0 : moved;
+        target.array[3 * firstVertex + i] = Number.isNaN(moved) ? 0 : moved;
       }
-      target.needsUpdate = true;
-      if (!edges || !edgeSource) continue;
-      const lines = edges.getAttribute("displacement") as BufferAttribute;
-      for (const [i, vertex] of edgeSource.entries()) {
-        for (let c = 0; c < 3; ++c)
-          lines.array[3 * i + c] = vertex < 0 ? 0 : (target.array[3 * vertex + c] ?? 0);
-      }
-      lines.needsUpdate = true;
     }
+    target.needsUpdate = true;
+    const lines = this.#edges?.geometry.getAttribute(name) as BufferAttribute | undefined;
+    if (!lines || !this.#edgeSource) return;
+    for (let i = 0; i < this.#edgeSource.length; ++i) {
+      const vertex = this.#edgeSource[i] ?? -1;
+      for (let c = 0; c < 3; ++c)
+        lines.array[3 * i + c] = vertex < 0 ? 0 : (target.array[3 * vertex + c] ?? 0);
+    }
+    lines.needsUpdate = true;
   }
 
-  setFactor(factor: number): void {
-    this.material.setFactor(factor);
-    this.edgeMaterial.setFactor(factor);
+  setFactor(factor: number, factorIm = 0): void {
+    setUniform(this.#uniforms, "factor", factor);
+    setUniform(this.#uniforms, "factorIm", factorIm);
+  }
+
+  /** 1: true colours; less: a lamp at the eye darkens what turns away, down to this share. */
+  setShadeFloor(floor: number): void {
+    setUniform(this.#uniforms, "shadeFloor", floor);
+  }
+
+  setLooks(looks: readonly PartLook[]): void {
+    this.#table.set(looks);
+    this.#clearMesh.visible = looks.includes("clear");
+  }
+
+  /** Planes in model units minus origin. */
+  setCuts(planes: readonly CutPlane[]): void {
+    setCutUniforms(this.#uniforms, planes);
+    for (const material of [this.#shown, this.#clear, this.#edgeMaterial]) material.setCut(planes.length > 0);
   }
 
   setEdges(wanted: boolean): void {
     this.#edgesWanted = wanted;
+  }
+
+  /** The shape before it moved, as lines. */
+  setGhost(wanted: boolean): void {
+    if (wanted && !this.#ghost) {
+      this.#ghost = makeGhost(this.#parts, this.#ghostMaterial);
+      this.#addLines(this.#ghost, 3);
+    }
+    if (this.#ghost) this.#ghost.visible = wanted;
+    this.#ghostMaterial.setOpacity(0.75);
   }
 
   /** Edges fade out from 20 to 2 pixels a segment, so that a fine mesh seen whole shows its colours, not its
@@ -172,7 +201,7 @@ export class ModelObject {
     const scale = scratchScale.setFromMatrixScale(this.group.matrixWorld).x;
     const pixels = pixelSize > 0 ? (this.#typicalEdge * scale) / pixelSize : 0;
     const share = Math.min(Math.max((pixels - 2) / 18, 0), 1);
-    this.edgeMaterial.setOpacity(this.#edgesWanted ? 0.55 * share : 0);
+    this.#edgeMaterial.setOpacity(this.#edgesWanted ? 0.55 * share : 0);
   }
 
   /** Model units to world. */
@@ -182,11 +211,13 @@ export class ModelObject {
   }
 
   dispose(): void {
-    for (const { faces, edges } of this.#drawn) {
-      faces.dispose();
-      edges?.dispose();
-    }
-    this.material.dispose();
-    this.edgeMaterial.dispose();
+    this.group.removeFromParent();
+    this.#faces.geometry.dispose();
+    this.#edges?.geometry.dispose();
+    this.#ghost?.geometry.dispose();
+    (this.#uniforms.palette?.value as { dispose(): void } | null)?.dispose();
+    this.#table.dispose();
+    for (const material of [this.#shown, this.#clear, this.#edgeMaterial, this.#ghostMaterial])
+      material.dispose();
   }
 }

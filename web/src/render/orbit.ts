@@ -80,6 +80,14 @@ export class Orbit {
     this.apply();
   }
 
+  /** Looks at a point from so far; the direction stays. */
+  goTo(point: Vector3, distance: number): void {
+    this.#fitted = null;
+    this.target.copy(point);
+    this.distance = distance;
+    this.apply();
+  }
+
   /** The window has another shape: what filled it fills it again. */
   reshaped(): void {
     if (this.#fitted) this.fit(this.#fitted);

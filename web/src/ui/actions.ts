@@ -27,4 +27,6 @@ export interface Actions {
   stepPin(right: number, down: number): void;
   enterVr(): void;
   dismissProblem(): void;
+  /** Unfolds or folds a section of the page. */
+  openSection(id: string, on: boolean): void;
 }

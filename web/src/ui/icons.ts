@@ -25,6 +25,8 @@ const PATHS = {
   close: svg`<path d="m5 5 10 10M15 5 5 15"/>`,
   list: svg`<path d="M3 5h14M3 10h14M3 15h14"/>`,
   plus: svg`<path d="M10 4v12M4 10h12"/>`,
+  glass: svg`<path d="M4 4h12v12H4ZM4 12l8-8M4 16 16 4M8 16l8-8"/>`,
+  target: svg`<circle cx="10" cy="10" r="6"/><circle cx="10" cy="10" r="1.500" fill="currentColor"/><path d="M10 2v3M10 15v3M2 10h3M15 10h3"/>`,
   keys: svg`<path d="M2.500 5.500h15v9h-15ZM5.500 8.500h0M8.500 8.500h0M11.500 8.500h0M14.500 8.500h0M6.500 11.500h7" stroke-linecap="round"/>`,
 } as const;
 

@@ -2,12 +2,15 @@
 // The page around the model.
 export type { Actions, ViewName } from "./actions";
 export { axisTexts, numberText, stepText, unitText, withUnit } from "./format";
+export { type HotListModel, type HotRow, hotListTemplate } from "./hot-list";
 export type { IconName } from "./icons";
 export { type LegendModel, legendTemplate, paintLegend } from "./legend";
 export { type Marker, markersTemplate } from "./markers";
+export { type PartListActions, type PartRow, partListTemplate } from "./part-list";
 export { type CardModel, type CardRow, cardSentence, cardTemplate } from "./probe-card";
 export { COLUMNS, resultTableTemplate, type TableModel } from "./result-table";
 export { labelPositions, positionOf, valueAtPosition } from "./scale-axis";
+export { type PanelButton, type PanelPage, type PanelRow, type Section, sectionsTemplate } from "./section";
 export { type StepBarModel, stepBarTemplate } from "./step-bar";
 export { type TopBarModel, topBarTemplate } from "./top-bar";
 export { modelDirection, triadTemplate } from "./triad";

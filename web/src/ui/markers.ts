@@ -3,7 +3,7 @@
 import { html, type TemplateResult } from "lit";
 
 export interface Marker {
-  readonly kind: "max" | "min" | "pin" | "reticle";
+  readonly kind: "max" | "min" | "pin" | "reticle" | "hot" | "note" | "ruler";
   readonly text: string;
   readonly detail: string;
   readonly x: number;

@@ -3,4 +3,4 @@
 export { askForVr, requestVr, type VrAnswer } from "./enter";
 export { Grab, type GripPose } from "./grab";
 export { onTable, placeBefore, standOf, TABLE_DISTANCE, TABLE_HEIGHT, TABLE_SIZE } from "./room";
-export { type VrHost, VrSession } from "./vr-session";
+export { VrSession } from "./vr-session";

@@ -4,7 +4,8 @@ import { Mesh, MeshBasicMaterial, type Scene, SphereGeometry, type Vector3 } fro
 import { BOARD_FONT, Board, BOARD_COLOURS as C, roundRect } from "./board";
 
 export interface VrMark {
-  readonly kind: "max" | "min";
+  readonly kind: "max" | "min" | "hot" | "note" | "ruler";
+  readonly id: string;
   readonly text: string;
   readonly detail: string;
   /** World metres. */
@@ -31,8 +32,8 @@ export class VrMarkers {
   }
 
   update(marks: readonly VrMark[], eye: Vector3): void {
-    for (const [kind, shown] of this.#shown) {
-      const here = marks.some((mark) => mark.kind === kind);
+    for (const [id, shown] of this.#shown) {
+      const here = marks.some((mark) => mark.id === id);
       shown.board.mesh.visible = here;
       shown.dot.visible = here;
     }
@@ -40,14 +41,14 @@ export class VrMarkers {
   }
 
   #place(mark: VrMark, eye: Vector3): void {
-    const shown = this.#shown.get(mark.kind) ?? this.#make(mark.kind);
+    const shown = this.#shown.get(mark.id) ?? this.#make(mark.id);
     const distance = Math.max(mark.at.distanceTo(eye), 0.2);
     shown.dot.position.copy(mark.at);
     shown.dot.scale.setScalar(distance);
     const { mesh } = shown.board;
     mesh.scale.setScalar(distance);
     mesh.position.copy(mark.at).lerp(eye, 0.03);
-    mesh.position.y += (mark.kind === "max" ? 0.035 : -0.035) * distance;
+    mesh.position.y += (mark.kind === "min" ? -0.035 : 0.035) * distance;
     mesh.lookAt(eye);
     const text = `${mark.text}  ${mark.detail}`;
     if (shown.text === text) return;
@@ -63,12 +64,12 @@ export class VrMarkers {
     });
   }
 
-  #make(kind: string): Shown {
+  #make(id: string): Shown {
     const board = new Board(WIDTH, HEIGHT, METRES);
     const dot = new Mesh(new SphereGeometry(0.005, 12, 10), new MeshBasicMaterial({ color: 0xffffff }));
     this.#scene.add(board.mesh, dot);
     const shown = { board, dot, text: "" };
-    this.#shown.set(kind, shown);
+    this.#shown.set(id, shown);
     return shown;
   }
 

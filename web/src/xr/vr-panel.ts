@@ -4,12 +4,16 @@ import type { Shown } from "../app/model-view";
 import { drivenBy } from "../app/presentation-doc";
 import type { ViewState } from "../app/store";
 import type { SceneStep } from "../scene";
-import { type Actions, COLUMNS, numberText, stepText, unitText } from "../ui";
-import { BOARD_FONT, type BoardButton, BOARD_COLOURS as C, roundRect } from "./board";
+import { type Actions, COLUMNS, numberText, type PanelPage, stepText, unitText } from "../ui";
+import { type BoardButton, BOARD_COLOURS as C, roundRect } from "./board";
+import { button, type Ink, words } from "./panel-ink";
+import { paintPage, paintTabs } from "./panel-page";
 
 export const PANEL_WIDTH = 1024;
 export const PANEL_ROWS = 6;
-export const PANEL_HEIGHT = 950;
+/** Without the row of tabs below. */
+export const PAGE_HEIGHT = 950;
+export const PANEL_HEIGHT = 1050;
 const NAME_WIDTH = 400;
 const CELL = 96;
 const ROW = 84;
@@ -22,6 +26,7 @@ export interface PanelModel {
   readonly factor: number;
   readonly canShape: (shown: Shown) => boolean;
   readonly canPlay: boolean;
+  readonly pages: readonly PanelPage[];
   /** Id of the button that a ray is on. */
   readonly hover: string | null;
 }
@@ -30,60 +35,10 @@ export interface PanelExtras {
   readonly table: () => void;
   readonly trueSize: () => void;
   readonly leave: () => void;
-}
-
-interface Ink {
-  readonly context: CanvasRenderingContext2D;
-  readonly buttons: BoardButton[];
-  readonly hover: string | null;
-}
-
-function words(
-  ink: Ink,
-  text: string,
-  x: number,
-  y: number,
-  size: number,
-  colour: string,
-  options: { bold?: boolean; align?: CanvasTextAlign; width?: number } = {},
-): void {
-  const { context } = ink;
-  context.font = `${options.bold ? 600 : 400} ${size}px ${BOARD_FONT}`;
-  context.textAlign = options.align ?? "left";
-  context.textBaseline = "middle";
-  context.fillStyle = colour;
-  context.fillText(text, x, y, options.width);
-}
-
-function button(
-  ink: Ink,
-  spec: Omit<BoardButton, "press"> & { text: string; on?: boolean; enabled?: boolean; press: () => void },
-): void {
-  const enabled = spec.enabled ?? true;
-  const fill = spec.on ? C.accent : ink.hover === spec.id && enabled ? C.hover : C.panel;
-  const inset = { x: spec.x + 3, y: spec.y + 3, width: spec.width - 6, height: spec.height - 6 };
-  roundRect(
-    ink.context,
-    { x: inset.x - 2, y: inset.y - 2, width: inset.width + 4, height: inset.height + 4 },
-    15,
-    ink.hover === spec.id && enabled ? C.ink : C.line,
-  );
-  roundRect(ink.context, inset, 13, fill);
-  const colour = spec.on ? C.accentInk : enabled ? C.ink : C.line;
-  words(ink, spec.text, spec.x + spec.width / 2, spec.y + spec.height / 2, 27, colour, {
-    align: "center",
-    bold: spec.on ?? false,
-    width: spec.width - 14,
-  });
-  if (enabled)
-    ink.buttons.push({
-      id: spec.id,
-      x: spec.x,
-      y: spec.y,
-      width: spec.width,
-      height: spec.height,
-      press: spec.press,
-    });
+  /** Id of the page that is shown; "results" is the table. */
+  readonly page: string;
+  readonly first: number;
+  readonly open: (page: string, first: number) => void;
 }
 
 function tableRow(ink: Ink, model: PanelModel, shown: Shown, y: number, actions: Actions): void {
@@ -128,6 +83,14 @@ export function paintPanel(
 ): BoardButton[] {
   const ink: Ink = { context, buttons: [], hover: model.hover };
   roundRect(context, { x: 0, y: 0, width: PANEL_WIDTH, height: PANEL_HEIGHT }, 28, C.panel);
+  const page = model.pages.find((p) => p.id === extras.page);
+  paintTabs(ink, model.pages, extras);
+  if (page) paintPage(ink, page, extras);
+  else paintResults(ink, model, actions, extras);
+  return ink.buttons;
+}
+
+function paintResults(ink: Ink, model: PanelModel, actions: Actions, extras: PanelExtras): void {
   words(ink, "Result", 28, 38, 26, C.soft);
   COLUMNS.forEach(({ word }, i) => {
     words(ink, word, NAME_WIDTH + (i + 0.5) * CELL, 38, 25, C.soft, { align: "center" });
@@ -137,7 +100,7 @@ export function paintPanel(
     tableRow(ink, model, shown, 66 + i * (ROW + 4), actions);
   });
   const { state } = model;
-  const top = PANEL_HEIGHT - 3 * (ROW + 14) - 14;
+  const top = PAGE_HEIGHT - 3 * (ROW + 14) - 14;
   const line = (i: number) => top + i * (ROW + 14);
   const many = model.stepCount > 1;
   button(ink, {
@@ -202,5 +165,4 @@ export function paintPanel(
   last.forEach(([id, text, on, press], i) => {
     button(ink, { id, x: 24 + i * 196, y: line(2), width: 192, height: ROW, text, on, press });
   });
-  return ink.buttons;
 }

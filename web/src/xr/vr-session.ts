@@ -16,7 +16,7 @@ import { Board } from "./board";
 import { Grab } from "./grab";
 import { onTable, placeBefore, type Stand, standOf, TABLE_SIZE } from "./room";
 import { CARD_SIZE, LEGEND_SIZE, paintVrCard, paintVrLegend } from "./vr-legend";
-import { type VrMark, VrMarkers } from "./vr-markers";
+import { VrMarkers } from "./vr-markers";
 import { PANEL_HEIGHT, PANEL_WIDTH, paintPanel } from "./vr-panel";
 import { type VrPointer, VrPointers } from "./vr-pointers";
 
@@ -29,18 +29,8 @@ const PIXEL_ANGLE = 0.0008;
 const scratchMatrix = new Matrix4();
 const scratchHead = new Vector3();
 
-/** What the session needs of the app beyond its public parts. */
-export interface VrHost {
-  readonly app: App;
-  panelModel(hover: string | null): Parameters<typeof paintPanel>[1];
-  legendModel(): Parameters<typeof paintVrLegend>[1];
-  cardModel(): Parameters<typeof paintVrCard>[1] | null;
-  /** Largest and smallest value where they stand now. */
-  marks(): readonly VrMark[];
-}
-
 export class VrSession {
-  readonly #host: VrHost;
+  readonly #app: App;
   readonly #session: XRSession;
   readonly #pointers: VrPointers;
   readonly #markers: VrMarkers;
@@ -56,19 +46,20 @@ export class VrSession {
   readonly #head = new Matrix4();
   #stand: Stand | null = null;
   #hover: string | null = null;
+  #page = { page: "results", first: 0 };
   #boardsStale = true;
   #cardText = "";
 
-  constructor(host: VrHost, session: XRSession, ended: () => void) {
-    this.#host = host;
+  constructor(app: App, session: XRSession, ended: () => void) {
+    this.#app = app;
     this.#session = session;
-    const { stage, store } = host.app;
+    const { stage, store } = app;
     stage.scene.add(this.#floor, this.#panel.mesh, this.#legend.mesh, this.#card.mesh);
     for (const board of [this.#panel, this.#legend, this.#card]) board.mesh.visible = false;
     this.#markers = new VrMarkers(stage.scene);
     this.#pointers = new VrPointers(stage.renderer, stage.scene, {
       connected: (pointer) => {
-        host.app.probing.pointer(pointer.name, pointer.kind).actuator = pointer.actuator;
+        app.probing.pointer(pointer.name, pointer.kind).actuator = pointer.actuator;
       },
       disconnected: (pointer) => this.#forget(pointer),
       select: (pointer, on) => this.#select(pointer, on),
@@ -100,7 +91,7 @@ export class VrSession {
   }
 
   #forget(pointer: VrPointer): void {
-    const { probing, stage } = this.#host.app;
+    const { probing, stage } = this.#app;
     // The hand stops before it goes, so that its last pulse is not left running.
     probing.pointer(pointer.name, pointer.kind).actuator = null;
     probing.hold(pointer.name, pointer.kind, false);
@@ -111,7 +102,7 @@ export class VrSession {
   }
 
   #select(pointer: VrPointer, on: boolean): void {
-    const { probing } = this.#host.app;
+    const { probing } = this.#app;
     this.#refresh(pointer);
     const pressed = on ? this.#boardHit(pointer) : null;
     if (pressed) {
@@ -123,7 +114,7 @@ export class VrSession {
   }
 
   #squeeze(pointer: VrPointer, on: boolean): void {
-    const { holder } = this.#host.app.stage;
+    const { holder } = this.#app.stage;
     const pose = this.#pointers.grips().get(pointer.name);
     if (on && pose) this.#grab.take(pointer.name, pose, holder.matrix);
     else this.#grab.letGo(pointer.name, holder.matrix);
@@ -143,7 +134,7 @@ export class VrSession {
   }
 
   #frame(frame: XRFrame | undefined): void {
-    const { view, probing } = this.#host.app;
+    const { view, probing } = this.#app;
     if (!this.#findHead(frame)) return;
     if (!this.#stand) this.#settle();
     const moved = this.#grab.move(this.#pointers.grips());
@@ -161,12 +152,12 @@ export class VrSession {
       this.#showDot(pointer.name, onBoard ? null : (hit?.world ?? null));
     }
     this.#paint(hover);
-    this.#markers.update(this.#host.marks(), scratchHead.setFromMatrixPosition(this.#head));
+    this.#markers.update(this.#app.overlay.vrMarks(), scratchHead.setFromMatrixPosition(this.#head));
   }
 
   /** The middle of the eyes; false while nobody is tracked. */
   #findHead(frame: XRFrame | undefined): boolean {
-    const space = this.#host.app.stage.renderer.xr.getReferenceSpace();
+    const space = this.#app.stage.renderer.xr.getReferenceSpace();
     const pose = space && frame?.getViewerPose(space);
     if (pose) this.#head.fromArray(pose.transform.matrix);
     return pose !== null && pose !== undefined;
@@ -190,18 +181,18 @@ export class VrSession {
   }
 
   putOnTable(): void {
-    const sphere = this.#host.app.view.model.sphere();
-    const { model } = this.#host.app.view;
+    const sphere = this.#app.view.model.sphere();
+    const { model } = this.#app.view;
     const metres = model.largestSide * new Vector3().setFromMatrixScale(model.group.matrix).x;
     if (this.#stand) this.#setModel(onTable(this.#stand, sphere, TABLE_SIZE / Math.max(metres, 1e-9)));
   }
 
   putAtTrueSize(): void {
-    if (this.#stand) this.#setModel(onTable(this.#stand, this.#host.app.view.model.sphere(), 1));
+    if (this.#stand) this.#setModel(onTable(this.#stand, this.#app.view.model.sphere(), 1));
   }
 
   #setModel(matrix: Matrix4): void {
-    const { holder } = this.#host.app.stage;
+    const { holder } = this.#app.stage;
     holder.matrixAutoUpdate = false;
     holder.matrix.copy(matrix);
     holder.matrixWorldNeedsUpdate = true;
@@ -210,7 +201,7 @@ export class VrSession {
 
   /** From the eyes to the model's middle, metres. */
   #distanceTo(world: Matrix4): number {
-    const middle = this.#host.app.view.model.box.getCenter(new Vector3()).applyMatrix4(world);
+    const middle = this.#app.view.model.box.getCenter(new Vector3()).applyMatrix4(world);
     return Math.max(middle.distanceTo(scratchHead.setFromMatrixPosition(this.#head)), 0.1);
   }
 
@@ -219,29 +210,37 @@ export class VrSession {
     if (!dot) {
       dot = new Mesh(new SphereGeometry(0.006, 16, 12), new MeshBasicMaterial({ color: 0xffffff }));
       this.#dots.set(name, dot);
-      this.#host.app.stage.scene.add(dot);
+      this.#app.stage.scene.add(dot);
     }
     dot.visible = at !== null;
     if (at) dot.position.copy(at);
   }
 
   #paint(hover: string | null): void {
-    const { probing, view, actions } = this.#host.app;
+    const { probing, view, actions } = this.#app;
     if (this.#boardsStale || hover !== this.#hover) {
       this.#hover = hover;
-      const model = this.#host.panelModel(hover);
+      const model = {
+        ...this.#app.models.panel(hover),
+        pages: this.#app.features.flatMap((f) => f.page?.() ?? []),
+      };
       const ways = {
         table: () => this.putOnTable(),
         trueSize: () => this.putAtTrueSize(),
         leave: () => this.leave(),
+        ...this.#page,
+        open: (page: string, first: number) => {
+          this.#page = { page, first };
+          this.#boardsStale = true;
+        },
       };
       this.#panel.paint((context) => paintPanel(context, model, actions, ways));
     }
-    const card = this.#host.cardModel();
+    const card = this.#app.models.card();
     const text = card ? JSON.stringify(card.report.results) : "";
     if (this.#boardsStale || text !== this.#cardText) {
       this.#legend.paint((context) => {
-        paintVrLegend(context, this.#host.legendModel());
+        paintVrLegend(context, this.#app.models.legend());
         return [];
       });
       if (card) {
@@ -270,7 +269,7 @@ export class VrSession {
   }
 
   #dispose(): void {
-    const { stage, probing, senses } = this.#host.app;
+    const { stage, probing, senses } = this.#app;
     senses.stop();
     for (const remove of this.#removals) remove();
     this.#pointers.dispose();

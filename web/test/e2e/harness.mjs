@@ -65,6 +65,7 @@ export async function openPage(
     ignoreHTTPSErrors: true,
     colorScheme: dark ? "dark" : "light",
   });
+  context.setDefaultTimeout(15000);
   const origin = new URL(url).origin;
   const foreign = [];
   const problems = [];

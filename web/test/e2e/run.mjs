@@ -6,6 +6,7 @@ import { build } from "vite";
 import { tinyScene } from "../support/tiny-scene.ts";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
+import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
 import { programTests } from "./program.mjs";
 import { serve } from "./server.mjs";
@@ -40,7 +41,7 @@ const given = { browser, url: server.url, scene: readScene(glb), serveTiny };
 let passed = 0;
 let failed = 0;
 let skipped = 0;
-for (const { name, run, skip } of [...deskTests, ...vrTests, ...programTests]) {
+for (const { name, run, skip } of [...deskTests, ...lookTests, ...vrTests, ...programTests]) {
   if (!name.includes(wanted)) continue;
   if (skip) {
     skipped += 1;

@@ -291,7 +291,7 @@ export const vrTests = [
       const up = cross(normal, right);
       const at = (px, py) => {
         const u = (px / 1024 - 0.5) * 0.62;
-        const v = (0.5 - py / 950) * 0.62 * (950 / 1024);
+        const v = (0.5 - py / 1050) * 0.62 * (1050 / 1024);
         return centre.map((c, i) => c + u * right[i] + v * up[i]);
       };
       // Second row (U), first column (colour).

@@ -6,6 +6,12 @@ export interface TinyOptions {
   sideFiles?: boolean;
   /** Bricks along x, y and z. */
   cells?: readonly [number, number, number];
+  /** Bars side by side along y, each a part; the second's node and element ids start 10,000 higher. */
+  bars?: number;
+  /** Steps of kind time after the two of every tiny scene. */
+  times?: number;
+  /** The mode of step 2 has an imaginary part. */
+  complex?: boolean;
 }
 export interface TinyScene {
   glb: ArrayBuffer;
@@ -22,6 +28,8 @@ export const MISSING_FROM_X = 108;
 /** Values at a place (mm) of the bar at step 1 or 2. */
 export const tinyValues = {
   temperature: (x: number, y: number, step: number) => 20 + x + 0.5 * y + (step - 1) * 30,
+  /** Imaginary part of the mode's displacement. */
+  imaginary: (x: number): [number, number, number] => [0.03 * Math.sin(x / 20), 0, 0.02],
   displacement: (x: number, step: number): [number, number, number] =>
     step === 1 ? [0, 0, -0.0004 * x * x] : [0, 0.0002 * x * x, 0.01 * Math.sin(x / 20)],
   vonMises: (x: number, z: number, step: number) => Math.abs(z - 15) * (SIZE[0] - x) * 0.2 * step + 1,
@@ -41,12 +49,19 @@ interface Skin {
   edges: number[];
 }
 
-function buildSkin(cells: readonly [number, number, number]): Skin {
+/** Between the bars, mm; and what their ids are apart. */
+const BAR_PITCH = 60;
+const BAR_IDS = 10_000;
+
+function buildSkin(cells: readonly [number, number, number], bar: number): Skin {
   const skin: Skin = { vertices: [], triangles: [], elements: [], edgeVertices: [], edges: [] };
   const points = cells.map((n) => n + 1) as [number, number, number];
-  const nodeId = (g: number[]) => FIRST_NODE_ID + g[0]! + points[0] * (g[1]! + points[1] * g[2]!);
-  const place = (g: number[]) => g.map((k, a) => (k * SIZE[a]!) / cells[a]!) as [number, number, number];
-  const elementId = (g: number[]) => FIRST_ELEMENT_ID + g[0]! + cells[0] * (g[1]! + cells[1] * g[2]!);
+  const nodeId = (g: number[]) =>
+    FIRST_NODE_ID + bar * BAR_IDS + g[0]! + points[0] * (g[1]! + points[1] * g[2]!);
+  const place = (g: number[]) =>
+    g.map((k, a) => (k * SIZE[a]!) / cells[a]! + (a === 1 ? bar * BAR_PITCH : 0)) as [number, number, number];
+  const elementId = (g: number[]) =>
+    FIRST_ELEMENT_ID + bar * BAR_IDS + g[0]! + cells[0] * (g[1]! + cells[1] * g[2]!);
   for (let axis = 0; axis < 3; ++axis) {
     const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
     for (const end of [0, 1]) {
@@ -172,6 +187,8 @@ interface Quantity {
   derived: boolean;
   at: (position: readonly number[], step: number) => number[];
   missingFromX?: number;
+  complex?: "imaginary";
+  onlyStep?: number;
 }
 
 const QUANTITIES: Quantity[] = [
@@ -259,101 +276,154 @@ export const TINY_PRESENTATION = {
   deformation: { result: "U", mode: "auto5percent", factor: null },
 };
 
-export function tinyScene(options: TinyOptions = {}): TinyScene {
-  const skin = buildSkin(options.cells ?? [12, 4, 3]);
-  const writer = new GlbWriter();
-  const floats = (list: Vertex[], pick: (v: Vertex) => readonly number[]) =>
-    Float32Array.from(list.flatMap((v) => [...pick(v)]));
+const IMAGINARY: Quantity = {
+  id: "displacement_im",
+  name: "Displacement (imaginary)",
+  quantity: "displacement",
+  components: ["x", "y", "z"],
+  source: "DISP",
+  unit: "mm",
+  derived: false,
+  complex: "imaginary",
+  onlyStep: 2,
+  at: (p) => tinyValues.imaginary(p[0]!),
+};
+
+const floats = (list: Vertex[], pick: (v: Vertex) => readonly number[]) =>
+  Float32Array.from(list.flatMap((v) => [...pick(v)]));
+
+/** Geometry of one bar into the file; gives its glTF mesh pair. */
+function writeBar(writer: GlbWriter, skin: Skin, p: string) {
   const position = writer.add(
-    "p0/POSITION",
+    `${p}/POSITION`,
     floats(skin.vertices, (v) => v.position),
     "VEC3",
   );
   const normal = writer.add(
-    "p0/NORMAL",
+    `${p}/NORMAL`,
     floats(skin.vertices, (v) => v.normal),
     "VEC3",
   );
   const nodes = writer.add(
-    "p0/_NODE_ID",
+    `${p}/_NODE_ID`,
     floats(skin.vertices, (v) => [v.node]),
     "SCALAR",
   );
-  const indices = writer.add("p0/indices", Uint32Array.from(skin.triangles), "SCALAR");
-  writer.add("p0/elements", Uint32Array.from(skin.elements), "SCALAR");
-  const edgePosition = writer.add(
-    "p0/edges/POSITION",
-    floats(skin.edgeVertices, (v) => v.position.map((x, a) => x + v.normal[a]! * 0.06)),
-    "VEC3",
-  );
+  const indices = writer.add(`${p}/indices`, Uint32Array.from(skin.triangles), "SCALAR");
+  writer.add(`${p}/elements`, Uint32Array.from(skin.elements), "SCALAR");
+  const outward = (v: Vertex) => v.position.map((x, a) => x + v.normal[a]! * 0.06);
+  const edgePosition = writer.add(`${p}/edges/POSITION`, floats(skin.edgeVertices, outward), "VEC3");
   const edgeNodes = writer.add(
-    "p0/edges/_NODE_ID",
+    `${p}/edges/_NODE_ID`,
     floats(skin.edgeVertices, (v) => [v.node]),
     "SCALAR",
   );
-  const edgeIndices = writer.add("p0/edges/indices", Uint32Array.from(skin.edges), "SCALAR");
+  const edgeIndices = writer.add(`${p}/edges/indices`, Uint32Array.from(skin.edges), "SCALAR");
+  const attributes = { POSITION: position, NORMAL: normal, _NODE_ID: nodes };
+  const edgeAttributes = { POSITION: edgePosition, _NODE_ID: edgeNodes };
+  return [
+    { primitives: [{ attributes, indices, mode: 4 }] },
+    { primitives: [{ attributes: edgeAttributes, indices: edgeIndices, mode: 1 }] },
+  ];
+}
 
-  const side = new Map<string, ArrayBuffer>();
-  const results = QUANTITIES.map((q) => {
-    const attribute = `_${q.id.toUpperCase()}`;
-    const values = [1, 2].map((step) => {
-      const uri = `tiny.d/${q.id}.${step}.bin`;
-      const buffer = options.sideFiles && step === 2 ? writer.addBuffer(uri) : 0;
-      const valueAt = (v: Vertex): number[] => {
-        if (v.corners.length === 0) return q.at(v.position, step).map(Math.fround);
-        const corners = v.corners.map((c) => valueAt(skin.vertices[c]!));
-        return q.components.map((_, k) => Math.fround(corners.reduce((sum, c) => sum + c[k]!, 0) / 4));
-      };
-      const missing = (v: Vertex): boolean =>
-        q.missingFromX !== undefined &&
-        (v.corners.length
-          ? v.corners.some((c) => missing(skin.vertices[c]!))
-          : v.position[0] > q.missingFromX);
-      const valid = skin.vertices.filter((v) => !missing(v));
-      const scalars = valid.filter((v) => v.node).map((v) => ({ value: valueAt(v)[0]!, node: v.node }));
-      scalars.sort((a, b) => a.value - b.value || a.node - b.node);
-      const top = scalars.at(-1)!.value;
-      const fill = q.components.map((_, k) =>
-        valid.reduce((low, v) => Math.min(low, valueAt(v)[k]!), Number.POSITIVE_INFINITY),
-      );
-      const name = `p0/${attribute}/${step}`;
-      const data = floats(skin.vertices, (v) => (missing(v) ? fill : valueAt(v)));
-      writer.add(name, data, q.components.length === 3 ? "VEC3" : "SCALAR", buffer);
-      const mask = q.missingFromX === undefined ? null : `p0/${attribute}_VALID/${step}`;
-      if (mask) {
-        writer.add(
-          mask,
-          floats(skin.vertices, (v) => [missing(v) ? 0 : v.node ? 1 : 2]),
-          "SCALAR",
-          buffer,
-        );
-      }
-      if (buffer) side.set(uri, writer.bytesOf(buffer).buffer as ArrayBuffer);
-      const scalar = q.components.length === 1;
-      return {
-        step,
-        accessors: [name],
-        valid: [mask],
-        missing: 0,
-        min: scalar ? scalars[0] : null,
-        max: scalar ? scalars.find((s) => s.value === top) : null,
-      };
-    });
-    return {
-      id: q.id,
-      attribute,
-      name: q.name,
-      quantity: q.quantity,
-      source: q.source,
-      components: q.components,
-      unit: q.unit,
-      location: "node",
-      averaging: "solver",
-      derived: q.derived,
-      complex: false,
-      values,
-    };
+function quantityAt(q: Quantity, skin: Skin, v: Vertex, step: number): number[] {
+  if (v.corners.length === 0) return q.at(v.position, step).map(Math.fround);
+  const corners = v.corners.map((c) => quantityAt(q, skin, skin.vertices[c]!, step));
+  return q.components.map((_, k) => Math.fround(corners.reduce((sum, c) => sum + c[k]!, 0) / 4));
+}
+
+function isMissing(q: Quantity, skin: Skin, v: Vertex): boolean {
+  if (q.missingFromX === undefined) return false;
+  if (v.corners.length > 0) return v.corners.some((c) => isMissing(q, skin, skin.vertices[c]!));
+  return v.position[0] > q.missingFromX;
+}
+
+/** Values of a result at a step, all bars one after the other. */
+function writeValues(writer: GlbWriter, skins: Skin[], q: Quantity, step: number, buffer: number) {
+  const attribute = `_${q.id.toUpperCase()}`;
+  const scalars: { value: number; node: number }[] = [];
+  const valid: (string | null)[] = [];
+  const accessors = skins.map((skin, bar) => {
+    const known = skin.vertices.filter((v) => !isMissing(q, skin, v));
+    for (const v of known)
+      if (v.node) scalars.push({ value: quantityAt(q, skin, v, step)[0]!, node: v.node });
+    const fill = q.components.map((_, k) =>
+      known.reduce((low, v) => Math.min(low, quantityAt(q, skin, v, step)[k]!), Number.POSITIVE_INFINITY),
+    );
+    const name = `p${bar}/${attribute}/${step}`;
+    const data = floats(skin.vertices, (v) => (isMissing(q, skin, v) ? fill : quantityAt(q, skin, v, step)));
+    writer.add(name, data, q.components.length === 3 ? "VEC3" : "SCALAR", buffer);
+    const mask = q.missingFromX === undefined ? null : `p${bar}/${attribute}_VALID/${step}`;
+    const states = floats(skin.vertices, (v) => [isMissing(q, skin, v) ? 0 : v.node ? 1 : 2]);
+    if (mask) writer.add(mask, states, "SCALAR", buffer);
+    valid.push(mask);
+    return name;
   });
+  scalars.sort((a, b) => a.value - b.value || a.node - b.node);
+  const top = scalars.at(-1)!.value;
+  const scalar = q.components.length === 1;
+  const max = scalar ? scalars.find((s) => s.value === top) : null;
+  return { step, accessors, valid, missing: 0, min: scalar ? scalars[0] : null, max };
+}
+
+function stepsOf(options: TinyOptions) {
+  const times = Array.from({ length: options.times ?? 0 }, (_, i) => ({
+    id: 3 + i,
+    kind: "time",
+    input: 0,
+    number: [3, 1 + i],
+    value: 0.5 * (i + 1),
+    unit: "s",
+    name: "",
+  }));
+  return [
+    { id: 1, kind: "static", input: 0, number: [1, 1], value: 1, unit: null, name: "Bending" },
+    { id: 2, kind: "mode", input: 0, number: [2, 1], value: 76.66, unit: "Hz", name: "Mode 1" },
+    ...times,
+  ];
+}
+
+export function tinyScene(options: TinyOptions = {}): TinyScene {
+  const bars = options.bars ?? 1;
+  const skins = Array.from({ length: bars }, (_, bar) => buildSkin(options.cells ?? [12, 4, 3], bar));
+  const writer = new GlbWriter();
+  const meshes = skins.flatMap((skin, bar) => writeBar(writer, skin, `p${bar}`));
+  const side = new Map<string, ArrayBuffer>();
+  const steps = stepsOf(options);
+  const quantities = options.complex ? [...QUANTITIES, IMAGINARY] : QUANTITIES;
+  const results = quantities.map((q) => {
+    const own = steps.filter((s) => q.onlyStep === undefined || q.onlyStep === s.id);
+    const values = own.map(({ id: step }) => {
+      const uri = `tiny.d/${q.id}.${step}.bin`;
+      const buffer = options.sideFiles && step >= 2 ? writer.addBuffer(uri) : 0;
+      const written = writeValues(writer, skins, q, step, buffer);
+      if (buffer) side.set(uri, writer.bytesOf(buffer).buffer as ArrayBuffer);
+      return written;
+    });
+    const { id, name, quantity, source, components, unit, derived } = q;
+    const about = {
+      id,
+      attribute: `_${id.toUpperCase()}`,
+      name,
+      quantity,
+      source,
+      components,
+      unit,
+      derived,
+    };
+    const complex = q.complex ?? (options.complex && id === "displacement" ? "real" : false);
+    return { ...about, location: "node", averaging: "solver", complex, values };
+  });
+  const parts = skins.map((skin, bar) => ({
+    id: bar,
+    name: bar === 0 ? "bar" : `bar ${bar + 1}`,
+    kind: "solid",
+    domain: "node",
+    vertices: skin.vertices.length,
+    triangles: skin.elements.length,
+    elements: `p${bar}/elements`,
+  }));
   const feelem = {
     version: 1,
     title: "Bar",
@@ -361,49 +431,30 @@ export function tinyScene(options: TinyOptions = {}): TinyScene {
     inputs: [],
     lengthUnit: { name: "mm", metres: 0.001 },
     origin: [0, 0, 0],
-    parts: [
-      {
-        id: 0,
-        name: "bar",
-        kind: "solid",
-        domain: "node",
-        vertices: skin.vertices.length,
-        triangles: skin.elements.length,
-        elements: "p0/elements",
-      },
-    ],
-    steps: [
-      { id: 1, kind: "static", input: 0, number: [1, 1], value: 1, unit: null, name: "Bending" },
-      { id: 2, kind: "mode", input: 0, number: [2, 1], value: 76.66, unit: "Hz", name: "Mode 1" },
-    ],
+    parts,
+    steps,
     results,
     texcoords: [],
     deformation: { result: "displacement", step: 1, factor: 1 },
     presentation: TINY_PRESENTATION,
     certificate: {},
   };
-  const attributes = { POSITION: position, NORMAL: normal, _NODE_ID: nodes };
+  const model = {
+    name: "model",
+    matrix: [0.001, 0, 0, 0, 0, 0, -0.001, 0, 0, 0.001, 0, 0, 0, 0, 0, 1],
+    children: meshes.map((_, i) => i + 1),
+    extras: { feelem: { role: "model" } },
+  };
+  const nodes = meshes.map((_, i) => {
+    const bar = Math.floor(i / 2);
+    const role = i % 2 === 0 ? "part" : "edges";
+    return { name: `bar ${bar} ${role}`, mesh: i, extras: { feelem: { role, part: bar } } };
+  });
   const glb = writer.finish({
     scene: 0,
     scenes: [{ nodes: [0] }],
-    nodes: [
-      {
-        name: "model",
-        matrix: [0.001, 0, 0, 0, 0, 0, -0.001, 0, 0, 0.001, 0, 0, 0, 0, 0, 1],
-        children: [1, 2],
-        extras: { feelem: { role: "model" } },
-      },
-      { name: "bar", mesh: 0, extras: { feelem: { role: "part", part: 0 } } },
-      { name: "bar edges", mesh: 1, extras: { feelem: { role: "edges", part: 0 } } },
-    ],
-    meshes: [
-      { primitives: [{ attributes, indices, mode: 4 }] },
-      {
-        primitives: [
-          { attributes: { POSITION: edgePosition, _NODE_ID: edgeNodes }, indices: edgeIndices, mode: 1 },
-        ],
-      },
-    ],
+    nodes: [model, ...nodes],
+    meshes,
     extras: { feelem },
   });
   return { glb, side };
