@@ -176,6 +176,7 @@ protected:
 TEST_F(Hostile, shipped_files_cut_and_damaged_are_survived) {
     expect_survival_below(test::project_file("examples"));
     expect_survival_below(test::project_file("tests/data/calculix"));
+    expect_survival_below(test::project_file("tests/data/nastran"));
     expect_survival_below(test::project_file("tests/data/unv"));
     expect_survival_below(test::project_file("tests/data/ansys"));
 }

@@ -2,6 +2,7 @@
 // Small .op2 files of our own making, in every form that the format has.
 #include "read_nastran_op2/op2_writer.hpp"
 #include "support/exercise.hpp"
+#include "support/paths.hpp"
 
 #include "feelem/error.hpp"
 #include "feelem/read.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace feelem {
 namespace {
@@ -465,6 +467,163 @@ TEST(Op2, a_tensor_in_another_system_keeps_its_invariant_only) {
     EXPECT_TRUE(std::isnan(stress.values[0]));
     EXPECT_EQ(stress.values[6], 17);
     EXPECT_TRUE(diagnostics.has(Code::CoordinateSystem));
+}
+
+/// A shell row: number, centre, then grid and two fibres with distance, three stresses, angle, major, minor,
+/// von Mises for the centre and each corner.
+Op2Words shell_element() {
+    Op2Words words{whole(91), std::string("CEN/")};
+    for (const std::int64_t node : {3, 1, 2, 3}) {
+        words.push_back(whole(node));
+        for (const double side : {0.5, -0.5}) {  // The upper fibre first.
+            for (const double value : {side, 0., 0., 0., 0., side * 10, side * 20, 40 + side})
+                words.push_back(value);
+        }
+    }
+    return words;
+}
+
+void write_shell(Op2Writer& writer) {
+    writer.begin_table("GEOM1S");
+    writer.record(joined(
+        {{whole(4501), whole(45), whole(1)},
+         grid(1, 0, 0, 0),
+         grid(2, 1, 0, 0),
+         grid(3, 0, 1, 0),
+         grid(4, 1, 1, 0)}
+    ));
+    writer.end_table();
+    writer.begin_table("GEOM2S");
+    writer.record(
+        {whole(4801),
+         whole(48),
+         whole(327),
+         whole(9),
+         whole(3),
+         whole(1),
+         whole(2),
+         whole(3),
+         whole(0),
+         whole(0),
+         whole(0),
+         0.,
+         0.,
+         0.,
+         0.,
+         0.,
+         whole(0)}
+    );
+    writer.record(
+        {whole(5959),
+         whole(59),
+         whole(282),
+         whole(10),
+         whole(3),
+         whole(2),
+         whole(4),
+         whole(3),
+         0.,
+         0.,
+         whole(0),
+         whole(0),
+         whole(0),
+         0.,
+         0.,
+         0.}
+    );
+    writer.record({whole(3001), whole(30), whole(48), whole(11), whole(4), whole(1), whole(4)});
+    writer.record({whole(5201), whole(52), whole(11), whole(11), whole(1), whole(2)});
+    writer.end_table();
+}
+
+TEST(Op2, layers_of_shells_go_by_the_fibres_distance) {
+    Op2Writer writer;
+    write_shell(writer);
+    writer.begin_table("OES1X1");
+    writer.block({.table_code = 5, .element_type = 75, .row_words = 70, .stress_bits = 1}, shell_element());
+    Op2Words centre{whole(101)};
+    for (const double side : {-1., 1.}) {
+        for (const double value : {side, 0., 0., 0., 0., side * 3, side * 4, 7 + side})
+            centre.push_back(value);
+    }
+    writer.block({.table_code = 5, .element_type = 74, .row_words = 17, .stress_bits = 1}, centre);
+    writer.block(
+        {.table_code = 5, .element_type = 1, .row_words = 5, .stress_bits = 1},
+        {whole(111), 77., whole(1), 0., whole(1)}
+    );
+    writer.end_table();
+    Diagnostics diagnostics;
+    const auto model = open(writer.finish(), diagnostics);
+    EXPECT_EQ(test::exercise(*model), "");
+    EXPECT_EQ(model->mesh().skipped_elements.at("PLOTEL"), 1U);
+    ASSERT_THAT(names_of(*model), ElementsAre("stress", "stress", "axial_stress"));
+    EXPECT_EQ(model->results()[0].layer, Layer::Bottom);
+    const Result bottom = model->load(0);
+    // Three corners of the six-node triangle, and the other one's centre at each of its own.
+    ASSERT_EQ(bottom.row_count(), 6U);
+    for (std::size_t row = 0; row < 6; ++row) {
+        const bool is_linear = raw(element_at(model->mesh(), ElementIndex{bottom.row_owner[row]}).id()) == 10;
+        EXPECT_EQ(bottom.values[row * 3], is_linear ? 6.F : 39.5F);
+        EXPECT_EQ(bottom.values[row * 3 + 1], is_linear ? -3.F : -5.F);
+        EXPECT_EQ(bottom.values[row * 3 + 2], is_linear ? -4.F : -10.F);
+    }
+    EXPECT_EQ(model->load(1).values[0], 40.5F);
+    const Result axial = model->load(2);
+    EXPECT_EQ(std::ranges::count(axial.values, 77.F), 1);
+}
+
+/// A bit of everything: for other tests that need a file without the corpus.
+std::string shipped_file() {
+    Op2Writer writer;
+    writer.head("XXXXXXXX");
+    write_geometry(writer, 5);
+    writer.begin_table("OUGV1");
+    writer.block({.label = "STATIC"}, rows(1));
+    writer.block({.approach = 2, .table_code = 7, .word5 = whole(1), .word6 = 4000.}, rows(0.5), 7);
+    writer.end_table();
+    writer.begin_table("OES1X1");
+    writer.block({.table_code = 5, .element_type = 39, .row_words = 109, .stress_bits = 1}, solid_element(0));
+    writer.end_table();
+    writer.begin_table("OUGV2");
+    for (std::int64_t id = 1; id <= 2; ++id) {
+        const Op2Ident ident{
+            .approach = 5,
+            .table_code = 3001,
+            .subcase = 2,
+            .word5 = whole(id * 10 + 1),
+            .format = 2,
+            .row_words = 14};
+        Op2Words first = complex_row(id), second = complex_row(id);
+        first[0] = 10.;
+        second[0] = 20.;
+        writer.block(ident, joined({first, second}));
+    }
+    writer.end_table();
+    return writer.finish();
+}
+
+TEST(Op2, shipped_file_is_whole_and_of_our_own_making) {
+    const std::string path = test::project_file("tests/data/nastran/tetrahedron.op2");
+    if (std::getenv("FEELEM_UPDATE_GOLDEN") != nullptr) test::write_file(path, shipped_file());
+    const std::string bytes = test::read_file(path);
+    EXPECT_EQ(bytes, shipped_file());
+    Diagnostics diagnostics;
+    const auto model = open(bytes, diagnostics);
+    EXPECT_EQ(test::exercise(*model), "");
+    EXPECT_EQ(model->steps().size(), 4U);
+    EXPECT_EQ(model->results().size(), 2U + 2U + 1U + 8U);
+}
+
+TEST(Op2, a_file_may_end_at_every_byte) {
+    const std::string bytes = shipped_file();
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        Diagnostics diagnostics;
+        try {
+            EXPECT_EQ(test::exercise(*open(bytes.substr(0, length), diagnostics)), "") << length;
+        } catch (const Error& error) {
+            EXPECT_STRNE(error.what(), "") << length;
+        }
+    }
 }
 
 TEST(Op2, blocks_that_are_not_used_are_counted) {

@@ -28,6 +28,7 @@ constexpr std::size_t kHeadWords = 3;
 constexpr std::int64_t kDoubleHead = 1000000;
 constexpr std::int64_t kGridKey = 4501;
 constexpr std::int64_t kScalarPointKey = 5551;
+constexpr std::int64_t kPlotKey = 5201;
 constexpr std::int64_t kEndKey = 65535;
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
@@ -78,9 +79,13 @@ public:
         if (grids_.empty()) grids_ = grids_of_tables();
         if (grids_.empty()) return {};
         add_nodes();
-        for_each_card([&](const Table& table, std::size_t record, const Words& words) {
-            read_elements(table, record, words);
-        });
+        // A PLOTEL may carry the number of an element: then it is left out, whichever comes first.
+        for (const bool plots : {false, true}) {
+            std::ranges::sort(used_ids_);
+            for_each_card([&](const Table& table, std::size_t record, const Words& words) {
+                if ((words.integer(0) == kPlotKey) == plots) read_elements(table, record, words);
+            });
+        }
         return builder_.finish();
     }
 
@@ -271,6 +276,12 @@ private:
             builder_.skip_element(record.name);
             return;
         }
+        const std::int64_t id = entry.integer(0);
+        if (record.key == kPlotKey && std::ranges::binary_search(used_ids_, id)) {
+            builder_.skip_element(record.name);
+            return;
+        }
+        if (record.key != kPlotKey) used_ids_.push_back(id);
         const nastran::ElementCard* card = nastran::find_element_card(record.name);
         if (card == nullptr) return;
         std::array<std::int64_t, kMaxElementNodes> nodes{};
@@ -281,7 +292,7 @@ private:
             return;
         }
         builder_.add_element(
-            ElementId{entry.integer(0)},
+            ElementId{id},
             arranged->type,
             std::span(arranged->nodes).first(arranged->count),
             part_of(record, entry),
@@ -303,6 +314,7 @@ private:
     std::vector<Grid> grids_;
     std::set<std::int64_t> scalar_points_;
     std::map<std::int64_t, std::size_t> first_tables_;
+    std::vector<std::int64_t> used_ids_;  ///< Of elements that are no PLOTELs.
     std::vector<std::byte> scratch_;
 };
 
@@ -359,15 +371,17 @@ Mesh read_mesh(const Input& input, const Layout& layout, Diagnostics& diagnostic
 void check_same_ids(const Mesh& deck, const Mesh& own, const Input& input) {
     check_same_places(deck, own, input);
     const auto theirs = by_id(deck);
+    const auto same_node = [&](NodeIndex a, NodeIndex b) {
+        return a == kNoNode || b == kNoNode ? a == b : own.node_ids[raw(a)] == deck.node_ids[raw(b)];
+    };
     for (const auto& [id, index] : by_id(own)) {
-        const auto found = std::ranges::lower_bound(theirs, id, {}, [](const auto& it) { return it.first; });
-        if (found == theirs.end() || found->first != id) continue;
         const auto mine = element_at(own, index).nodes();
-        const auto other = element_at(deck, found->second).nodes();
-        const auto same = [&](NodeIndex a, NodeIndex b) {
-            return a == kNoNode || b == kNoNode ? a == b : own.node_ids[raw(a)] == deck.node_ids[raw(b)];
-        };
-        if (std::ranges::equal(mine, other, same)) continue;
+        const auto found =
+            std::ranges::equal_range(theirs, id, {}, &std::pair<ElementId, ElementIndex>::first);
+        const bool same = std::ranges::any_of(found, [&](const auto& other) {
+            return std::ranges::equal(mine, element_at(deck, other.second).nodes(), same_node);
+        });
+        if (same || found.empty()) continue;
         throw Error(
             Code::MeshesDiffer,
             input.name(),
