@@ -2,6 +2,7 @@
 // Report of a place -> what the card says of it.
 import type { CardModel, CardRow, IconName } from "../ui";
 import { numberText, unitText } from "../ui";
+import { isPast, utilisation } from "./limits";
 import type { ModelView, Shown } from "./model-view";
 import { type PresentationDoc, type Slot, slotsOf } from "./presentation-doc";
 import type { ProbeReport } from "./probe-report";
@@ -16,8 +17,7 @@ const ICONS: Record<Slot, IconName> = {
 
 function alarmOf(shown: Shown, value: number | null): string | null {
   if (shown.limit === null || value === null) return null;
-  const past = shown.limitIsUpper ? value > shown.limit : value < shown.limit;
-  if (!past) return null;
+  if (!isPast(value, shown)) return null;
   const limit = `${numberText(shown.limit)} ${unitText(shown.unit)}`.trim();
   const label = shown.limitLabel && shown.limitLabel !== limit ? ` (${shown.limitLabel})` : "";
   return `${shown.limitIsUpper ? "above" : "below"} the limit ${limit}${label}`;
@@ -41,6 +41,7 @@ export function cardModel(
         state: entry.state,
         senses: slotsOf(doc, entry.key).map((slot) => ICONS[slot]),
         alarm: alarmOf(shown, entry.value),
+        utilisation: utilisation(entry.value, shown),
       },
     ];
   });

@@ -2,6 +2,7 @@
 // The controls' wishes, turned into changes of state.
 import type { Actions } from "../ui";
 import type { App } from "./app";
+import type { Limits } from "./features/limits";
 import type { Player } from "./player";
 import { addResult, assign, release, setColour, setRange, slotsOf } from "./presentation-doc";
 
@@ -18,6 +19,10 @@ export function makeActions(app: App, player: Player): Actions {
     addResult: (result, component) => store().set({ doc: addResult(doc(), result, component).doc }),
     setRange: (key, change) => store().set({ doc: setRange(doc(), key, change) }),
     setColour: (change) => store().set({ doc: setColour(doc(), change) }),
+    toggleLock: () => {
+      const limits = app.features.find((f) => f.id === "limits") as Limits | undefined;
+      limits?.toggleLock();
+    },
     setStep: (step) => store().set({ step }),
     stepBy: (count) => player.stepBy(count),
     togglePlay: () => store().set({ playing: !store().state.playing && player.canPlay }),

@@ -140,6 +140,14 @@ export class ModelView {
   #applyColour(): void {
     const colour = this.shownAs("colour");
     this.model.setColour(colour ? colourEffect(this.#store.state.doc) : null, colour?.range ?? null);
+    const entry = colourEntry(this.#store.state.doc);
+    const limit = colour?.limit ?? null;
+    this.model.setLines({
+      isolines: entry?.isolines === true,
+      limit: limit ?? 0,
+      limitSign: limit === null ? 0 : colour?.limitIsUpper ? 1 : -1,
+      missingHatch: entry?.nanHatch !== false,
+    });
     this.model.setValues(colour?.fields ?? null, colour?.componentIndex ?? 0);
   }
 

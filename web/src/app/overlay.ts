@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands at places of the model: extremes, hot spots, notes, the reticle; on the page and in the headset.
-import type { Place } from "../probe";
+import { isCutAway, type Place, placePoint } from "../probe";
 import type { Marker } from "../ui";
 import type { VrMark } from "../xr/vr-markers";
 import type { App } from "./app";
@@ -11,6 +11,9 @@ import { inSight } from "./sight";
 
 /** Labels nearer to the right edge than this, in pixels, stand to the left. */
 const LABEL_ROOM = 190;
+
+/** Cuts count from the scene's origin. */
+const NO_ORIGIN = [0, 0, 0];
 
 export class Overlay {
   readonly #app: App;
@@ -37,9 +40,11 @@ export class Overlay {
     const { store, features, view } = this.#app;
     const own = store.state.extremes ? this.#extremes : [];
     const { hidden } = store.state;
-    return [...own, ...features.flatMap((f) => f.marks?.() ?? [])].filter(
-      (mark) => !hidden.includes(view.scene.parts[mark.place.part]?.index ?? -1),
-    );
+    return [...own, ...features.flatMap((f) => f.marks?.() ?? [])].filter(({ place }) => {
+      const part = view.scene.parts[place.part];
+      if (!part || hidden.includes(part.index)) return false;
+      return !isCutAway(view.cuts, ...placePoint(part, place, NO_ORIGIN));
+    });
   }
 
   /** In the room, metres. */

@@ -61,6 +61,7 @@ export class PageView {
     const at = place && stage.project(view.picker.worldOf(place, matrix));
     this.#page.renderCard(models.card(), at, () => this.#app.pin(null));
     this.#page.renderMarkers(overlay.markers(at));
+    this.#page.renderHandles(this.#app.features.flatMap((f) => f.handles?.() ?? []));
     this.#page.renderLegend(models.legend(), actions);
   }
 }

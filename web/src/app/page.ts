@@ -9,6 +9,8 @@ import {
   type CardModel,
   cardSentence,
   cardTemplate,
+  type Handle,
+  handlesTemplate,
   type LegendModel,
   legendTemplate,
   type Marker,
@@ -52,6 +54,7 @@ export class Page {
   readonly #triad: HTMLElement;
   readonly #card: HTMLElement;
   readonly #banner: HTMLElement;
+  readonly #handles: HTMLElement;
   readonly #inside: HTMLElement;
   readonly #toast: HTMLElement;
   #toastTimer = 0;
@@ -71,6 +74,7 @@ export class Page {
     this.#triad = child("triad-host", overlay);
     this.#card = child("card", overlay);
     this.#card.hidden = true;
+    this.#handles = child("handles", overlay);
     this.#banner = child("banners", overlay);
     this.#inside = child("card inside", overlay);
     this.#inside.hidden = true;
@@ -118,6 +122,10 @@ export class Page {
 
   renderTriad(stage: Stage, matrix: Matrix4, actions: Actions): void {
     render(triadTemplate(stage.camera, matrix, actions), this.#triad);
+  }
+
+  renderHandles(handles: readonly Handle[]): void {
+    render(handlesTemplate(handles), this.#handles);
   }
 
   renderMarkers(markers: readonly Marker[]): void {

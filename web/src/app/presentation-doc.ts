@@ -239,10 +239,32 @@ export function setRange(
   }));
 }
 
-export function setColour(
+/** What of the colour effect a person changes; the document's own words. */
+export interface ColourChange {
+  readonly map?: string;
+  readonly bands?: number;
+  readonly invert?: boolean;
+  readonly isolines?: boolean;
+  readonly above?: string;
+  readonly below?: string;
+  readonly nan?: string;
+  readonly nanHatch?: boolean;
+}
+
+/** Null takes the limit away. */
+export function setLimit(
   doc: PresentationDoc,
-  change: { map?: string; bands?: number; invert?: boolean },
+  key: string,
+  limit: { value: number; kind: "above" | "below"; label: string } | null,
 ): PresentationDoc {
+  return editResult(doc, key, (entry) => {
+    if (limit) return { ...entry, limit: { ...(isObject(entry.limit) ? entry.limit : {}), ...limit } };
+    const { limit: _, ...rest } = entry;
+    return rest;
+  });
+}
+
+export function setColour(doc: PresentationDoc, change: ColourChange): PresentationDoc {
   const entry = effectEntry(doc, "colour");
   return { ...doc, effects: list(doc, "effects").map((e) => (e === entry ? { ...e, ...change } : e)) };
 }

@@ -2,6 +2,7 @@
 // What is at a place: the numbers, and what each sense makes of them. The page API hands this out as it is.
 import { colourOf, pulseOf, tickRateOf, toneOf } from "../present";
 import { nearestNode, type Place, placePoint, type ValueState, valueAt } from "../probe";
+import { utilisation } from "./limits";
 import type { ModelView, Shown } from "./model-view";
 import {
   colourEffect,
@@ -22,6 +23,8 @@ export interface ProbeResult {
   /** The file's value at nodeId. */
   readonly nodeValue: number | null;
   readonly state: ValueState;
+  /** Part of the limit that the value uses, 1 at the limit; null without one. */
+  readonly utilisation: number | null;
 }
 
 export interface ProbeReport {
@@ -53,8 +56,9 @@ export function reportAt(
 ): ProbeReport | null {
   const part = view.scene.parts[place.part];
   if (!part) return null;
-  const read = (shown: Shown) => valueAt(part, place, shown.fields[place.part] ?? null, shown.componentIndex);
-  const numberOf = (shown: Shown | null) => (shown && read(shown).value) ?? Number.NaN;
+  const readOf = (shown: Shown) =>
+    valueAt(part, place, shown.fields[place.part] ?? null, shown.componentIndex);
+  const numberOf = (shown: Shown | null) => (shown && readOf(shown).value) ?? Number.NaN;
   const colour = view.shownAs("colour");
   const pitch = view.shownAs("pitch");
   const ticks = view.shownAs("ticks");
@@ -76,13 +80,17 @@ export function reportAt(
     nodeId: nearestNode(part, place)?.id ?? null,
     results: view.shown
       .filter((shown) => shown.result)
-      .map((shown) => ({
-        key: shown.key,
-        name: shown.name,
-        component: shown.component,
-        unit: shown.unit,
-        ...read(shown),
-      })),
+      .map((shown) => {
+        const read = readOf(shown);
+        return {
+          key: shown.key,
+          name: shown.name,
+          component: shown.component,
+          unit: shown.unit,
+          ...read,
+          utilisation: utilisation(read.value, shown),
+        };
+      }),
     colour: colour && looks ? hex(colourOf(numberOf(colour), colour.range, looks)) : null,
     hz: tone?.hz ?? 0,
     gain: tone?.gain ?? 0,

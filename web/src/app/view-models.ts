@@ -4,7 +4,7 @@ import { type CardModel, type LegendModel, numberText, stepText, type TableModel
 import { cardModel } from "./card-model";
 import type { ModelView, Shown } from "./model-view";
 import type { Player } from "./player";
-import { colourEffect, otherResults } from "./presentation-doc";
+import { colourEffect, colourEntry, otherResults } from "./presentation-doc";
 import { PIN, type Probing } from "./probing";
 import type { Store } from "./store";
 
@@ -72,6 +72,8 @@ export class ViewModels {
       stepText: step ? stepText(step) : "",
       deformText: factor === 0 ? "undeformed" : `deformation × ${numberText(factor, 4)}`,
       shading: state.shading,
+      isolines: colourEntry(state.doc)?.isolines === true,
+      hatch: colourEntry(state.doc)?.nanHatch !== false,
     };
   }
 }

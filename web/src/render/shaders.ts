@@ -97,12 +97,10 @@ vec3 mapped(float t) {
 }
 `;
 
-// Where the skin of a solid is open towards the eye, the eye looks into the material: the cut is drawn where the ray
-// enters what is left, plain and hatched, because the skin knows nothing of the values inside.
+// Where the nearest that is left of a solid is seen from behind, the eye looks into the material: plain, with the stripes
+// that lie on the plane there, because the skin knows nothing of the values inside.
 const CAP = /* glsl */ `
 #ifdef CUT
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
 uniform float capHatch;
 varying vec3 vEye;
 vec4 capColour() {
@@ -114,8 +112,6 @@ vec4 capColour() {
     if (down < 0.0) enters = max(enters, (planes[i].w - dot(planes[i].xyz, vEye)) / down);
   }
   vec3 at = vEye + along * clamp(enters, 0.0, 1.0);
-  vec4 seen = projectionMatrix * modelViewMatrix * vec4(at, 1.0);
-  gl_FragDepth = clamp(0.5 * seen.z / seen.w + 0.5, 0.0, 1.0);
   float stripe = fract(dot(at, vec3(0.62, 0.71, 0.53)) * capHatch);
   return vec4(stripe < 0.18 ? vec3(0.46, 0.48, 0.49) : vec3(0.66, 0.68, 0.69), 1.0);
 }
@@ -164,7 +160,6 @@ vec3 withLines(vec3 colour, float t) {
 void main() {
 #ifdef CUT
   if (cutAway(vPlace)) discard;
-  gl_FragDepth = gl_FragCoord.z;
   if (!gl_FrontFacing && vSolid > 0.5) {
     gl_FragColor = capColour();
     return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the controls of the page can ask for; the app does it.
-import type { RangeMode, Slot } from "../app/presentation-doc";
+import type { ColourChange, RangeMode, Slot } from "../app/presentation-doc";
 import type { DeformMode } from "../app/store";
 import type { SceneResult } from "../scene";
 
@@ -12,7 +12,8 @@ export interface Actions {
   releaseAll(key: string): void;
   addResult(result: SceneResult, component: string): void;
   setRange(key: string, change: { mode: RangeMode; lo?: number; hi?: number; scale?: string }): void;
-  setColour(change: { map?: string; bands?: number; invert?: boolean }): void;
+  setColour(change: ColourChange): void;
+  toggleLock(): void;
   setStep(id: number): void;
   stepBy(count: number): void;
   togglePlay(): void;

@@ -27,6 +27,7 @@ const PATHS = {
   plus: svg`<path d="M10 4v12M4 10h12"/>`,
   glass: svg`<path d="M4 4h12v12H4ZM4 12l8-8M4 16 16 4M8 16l8-8"/>`,
   target: svg`<circle cx="10" cy="10" r="6"/><circle cx="10" cy="10" r="1.500" fill="currentColor"/><path d="M10 2v3M10 15v3M2 10h3M15 10h3"/>`,
+  cut: svg`<path d="M4 7l6-3 6 3v6l-6 3-6-3ZM2 15 18 5"/>`,
   keys: svg`<path d="M2.500 5.500h15v9h-15ZM5.500 8.500h0M8.500 8.500h0M11.500 8.500h0M14.500 8.500h0M6.500 11.500h7" stroke-linecap="round"/>`,
 } as const;
 

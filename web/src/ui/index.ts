@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page around the model.
 export type { Actions, ViewName } from "./actions";
+export { axisOf, type CutActions, type CutDirection, cutListTemplate } from "./cut-list";
 export { axisTexts, numberText, stepText, unitText, withUnit } from "./format";
+export { type Handle, handlesTemplate } from "./handles";
 export { type HotListModel, type HotRow, hotListTemplate } from "./hot-list";
 export type { IconName } from "./icons";
 export { type LegendModel, legendTemplate, paintLegend } from "./legend";
+export { type LimitChange, type LimitRow, limitListTemplate } from "./limit-list";
 export { type Marker, markersTemplate } from "./markers";
 export { type PartListActions, type PartRow, partListTemplate } from "./part-list";
 export { type CardModel, type CardRow, cardSentence, cardTemplate } from "./probe-card";

@@ -3,7 +3,7 @@
 import { html, type TemplateResult } from "lit";
 import type { Shown } from "../app/model-view";
 import type { RangeMode } from "../app/presentation-doc";
-import { type ColourEffect, colourMaps, type Rgb } from "../present";
+import { type ColourEffect, colourMaps, normalise, type Rgb } from "../present";
 import { type Palette, texelOf } from "../render";
 import type { Actions } from "./actions";
 import { axisTexts, numberText, unitText } from "./format";
@@ -18,6 +18,8 @@ export interface LegendModel {
   /** Value under the pointer. */
   readonly probed: number | null;
   readonly shading: boolean;
+  readonly isolines: boolean;
+  readonly hatch: boolean;
 }
 
 /** Paints one row of pixels after the other, each in the texel the mesh would take there. */
@@ -81,6 +83,8 @@ function settings(model: LegendModel, actions: Actions): TemplateResult {
           ([mode, text]) =>
             html`<option value=${mode} ?selected=${shown.rangeMode === mode}>${text}</option>`,
         )}</select></label>
+    <label class="check"><input type="checkbox" aria-label="hold the range over steps" .checked=${shown.rangeMode === "manual"}
+        @change=${() => actions.toggleLock()} />held over steps</label>
     <label><span>scale</span
       ><select aria-label="scale" @change=${(e: Event) => actions.setRange(shown.key, { mode: shown.rangeMode, scale: (e.target as HTMLSelectElement).value })}
         >${[
@@ -100,7 +104,40 @@ function settings(model: LegendModel, actions: Actions): TemplateResult {
         >${colourMaps().map((map) => html`<option value=${map} ?selected=${effect.map === map}>${map.replace("_", " ")}</option>`)}</select></label>
     <label class="check"><input type="checkbox" .checked=${effect.invert}
         @change=${(e: Event) => actions.setColour({ invert: (e.target as HTMLInputElement).checked })} />reversed</label>
+    <label class="check"><input type="checkbox" .checked=${model.isolines}
+        @change=${(e: Event) => actions.setColour({ isolines: (e.target as HTMLInputElement).checked })} />lines between bands</label>
+    ${outside(model, actions)}
   </div>`;
+}
+
+const hex = (rgb: Rgb) => `#${rgb.map((c) => c.toString(16).padStart(2, "0")).join("")}`;
+
+/** Colours beside the map: above and below the range, and no value. */
+function outside(model: LegendModel, actions: Actions): TemplateResult {
+  const { effect } = model;
+  const ways = [
+    ["above", "above", effect.above],
+    ["below", "below", effect.below],
+    ["nan", "no value", effect.missing],
+  ] as const;
+  return html`<details class="legend-outside"><summary>outside colours</summary>
+    ${ways.map(
+      ([
+        key,
+        word,
+        colour,
+      ]) => html`<label><span>${word}</span><input type="color" aria-label="colour of ${word}" .value=${hex(colour)}
+        @change=${(e: Event) => actions.setColour({ [key]: (e.target as HTMLInputElement).value })} /></label>`,
+    )}
+    <label class="check"><input type="checkbox" .checked=${model.hatch}
+        @change=${(e: Event) => actions.setColour({ nanHatch: (e.target as HTMLInputElement).checked })} />no value hatched</label>
+  </details>`;
+}
+
+/** The limit's name, unless that is but its number again. */
+export function limitWord(shown: Pick<Shown, "limit" | "limitLabel">): string {
+  const { limit, limitLabel } = shown;
+  return limitLabel && !limitLabel.startsWith(numberText(limit)) ? limitLabel : "limit";
 }
 
 export function legendTemplate(model: LegendModel | null, actions: Actions): TemplateResult {
@@ -111,23 +148,29 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
   const texts = axisTexts(positions.map((t) => valueAtPosition(t, shown.range)));
   const probe = positionOf(model.probed, shown.range);
   const unit = unitText(shown.unit);
+  const limit = shown.limit === null ? null : normalise(shown.limit, shown.range);
+  // A limit outside the range has its word below, not a place on the scale.
+  const limitAt = limit && !limit.missing && !limit.above && !limit.below ? limit.position : null;
   return html`<aside class="legend" aria-label="Legend">
     <h2>${shown.label}<span class="unit">${unit || "unit not given"}</span></h2>
     <p class="legend-step">${model.stepText}</p>
     <div class="legend-scale">
       <div class="legend-bar">
         <canvas class="legend-canvas" role="img" aria-label="colours of ${shown.label}"></canvas>
+        ${limitAt === null ? null : html`<i class="legend-limit" .style=${percent(limitAt)} title="limit"></i>`}
         ${probe === null ? null : html`<i class="legend-mark" .style=${percent(probe)}></i>`}
       </div>
       <ol class="legend-labels" aria-label="values">
-        ${positions.map((t, i) => html`<li .style=${percent(t)}>${texts[i]}</li>`)}
+        ${limitAt === null ? null : html`<li class="limit" .style=${percent(limitAt)}>${numberText(shown.limit)} ${limitWord(shown)}</li>`}
+        ${positions.filter((t) => limitAt === null || Math.abs(t - limitAt) > 0.03).map((t) => html`<li .style=${percent(t)}>${texts[positions.indexOf(t)]}</li>`)}
       </ol>
     </div>
     <ul class="legend-special">
       <li><i .style=${css(effect.above)}></i>above</li>
       <li><i .style=${css(effect.below)}></i>below</li>
-      <li><i class="hatch" .style=${css(effect.missing)}></i>no value</li>
+      <li><i class=${model.hatch ? "hatch" : ""} .style=${css(effect.missing)}></i>no value</li>
     </ul>
+    ${limit && limitAt === null ? html`<p class="legend-note">limit ${numberText(shown.limit)}: ${limit.above ? "above" : "below"} this range</p>` : null}
     ${settings(model, actions)}
     <p class="legend-note">${shown.result?.location ?? ""}${shown.result?.averaging ? ` · averaged by ${shown.result.averaging}` : ""}</p>
     <p class="legend-note">${model.deformText}</p>

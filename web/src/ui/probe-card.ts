@@ -14,6 +14,8 @@ export interface CardRow {
   readonly senses: readonly IconName[];
   /** "> 250 MPa yield" while the value is past the limit. */
   readonly alarm: string | null;
+  /** Part of the limit that is used. */
+  readonly utilisation: number | null;
 }
 
 export interface CardModel {
@@ -33,7 +35,8 @@ function rowTemplate(row: CardRow): TemplateResult {
       <span class="unit">${row.value === null ? "" : unitText(row.unit)}</span></td>
     <td class="at-node">${row.nodeValue === null ? "–" : numberText(row.nodeValue)}</td>
   </tr>
-  ${row.alarm ? html`<tr class="alarm-text"><td colspan="3">${row.alarm}</td></tr>` : null}`;
+  ${row.utilisation !== null && !row.alarm ? html`<tr class="used-text"><td colspan="3">${numberText(100 * row.utilisation, 3)} % of the limit</td></tr>` : null}
+  ${row.alarm ? html`<tr class="alarm-text"><td colspan="3">${row.alarm}${row.utilisation === null ? "" : ` · ${numberText(100 * row.utilisation, 4)} %`}</td></tr>` : null}`;
 }
 
 export function cardTemplate(model: CardModel, unpin: () => void): TemplateResult {

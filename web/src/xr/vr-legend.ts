@@ -62,6 +62,18 @@ export function paintVrLegend(context: CanvasRenderingContext2D, model: LegendMo
     context.fillStyle = C.ink;
     context.fillText(texts[i] ?? "", bar.x + bar.width + 26, y, width - bar.width - 80);
   });
+  const limit = positionOf(shown.limit, shown.range);
+  if (limit !== null) {
+    const y = bar.y + bar.height * (1 - limit);
+    context.fillStyle = C.alarm;
+    context.fillRect(bar.x - 8, y - 3, bar.width + 34, 6);
+    context.fillText(
+      shown.limitLabel || "limit",
+      bar.x + bar.width + 130,
+      y,
+      width - bar.x - bar.width - 150,
+    );
+  }
   const probe = positionOf(model.probed, shown.range);
   if (probe !== null) {
     const y = bar.y + bar.height * (1 - probe);

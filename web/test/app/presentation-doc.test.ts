@@ -14,6 +14,7 @@ import {
   pulseFallback,
   release,
   setColour,
+  setLimit,
   setRange,
   slotsOf,
 } from "../../src/app/presentation-doc";
@@ -106,4 +107,17 @@ test("pulses_fall_back_to_ticks_unless_the_document_says_no", () => {
 
   expect(pulseFallback(doc)).toEqual({ rateLow: 1.5, rateHigh: 12, invert: false });
   expect(pulseFallback(none)).toBeNull();
+});
+
+test("a_limit_is_written_beside_what_else_the_document_says_of_it_and_taken_away_whole", () => {
+  const noted = {
+    ...doc,
+    results: [{ key: "S", name: "stress", component: "von_mises", limit: { value: 300, note: "S235" } }],
+  } as PresentationDoc;
+
+  const set = setLimit(noted, "S", { value: 235, kind: "below", label: "yield" });
+
+  expect(presentedOf(set, extras)[0]).toMatchObject({ limit: 235, limitIsUpper: false, limitLabel: "yield" });
+  expect(set.results?.[0]?.limit).toMatchObject({ note: "S235" });
+  expect("limit" in (setLimit(set, "S", null).results?.[0] ?? {})).toBe(false);
 });

@@ -109,6 +109,132 @@ export const lookTests = [
     },
   },
   {
+    name: "a_typed_limit_is_drawn_on_model_and_legend_and_said_on_the_card",
+    async run({ browser, url }) {
+      const { page, context } = await openPage(browser, url);
+      const section = await unfold(page, "limits");
+      await section.getByLabel("limit of Temperature").fill("80");
+      await page.keyboard.press("Enter");
+      const { limits } = await until(page, state, (s) => s.limits.some((l) => l.key === "T"), "the limit");
+      assert.deepEqual(
+        limits.find((l) => l.key === "T"),
+        { key: "T", value: 80, kind: "above", used: 160 / 80 },
+      );
+      assert.ok((await page.locator(".legend-labels .limit").textContent()).includes("80"));
+      for (const key of ["x", "e"]) await page.keyboard.press(key);
+      await viewFrom(page, "+z");
+      const { x, y } = await middle(page);
+      await page.mouse.move(x, y);
+      const here = await until(page, probe, (r) => r !== null, "the bar");
+      const read = (r) => r.results.find((e) => e.key === "T");
+      assert.equal(read(here).utilisation, read(here).value / 80);
+      // Move to where the value is the limit: there the line is black.
+      await page.mouse.move(x + 20, y);
+      const there = await until(page, probe, (r) => r !== null, "the bar further on");
+      const slope = (read(there).value - read(here).value) / 20;
+      const at = x + (80 - read(here).value) / slope;
+      await page.mouse.move(5, 5);
+      await page.waitForTimeout(300);
+      const png = await page.screenshot();
+      const seen = [];
+      for (const dx of [-2, -1, 0, 1, 2]) seen.push(await pixelOf(page, png, at + dx, y));
+      const darkest = Math.min(...seen.map(([r, g, b]) => r + g + b));
+      assert.ok(darkest < 120, `no line among ${JSON.stringify(seen)}`);
+      await section.getByLabel("limit of Temperature").fill("");
+      await page.keyboard.press("Enter");
+      await until(page, state, (s) => s.limits.every((l) => l.key !== "T"), "no limit");
+      await context.close();
+    },
+  },
+  {
+    name: "range_is_held_over_steps_and_lines_stand_between_bands",
+    async run({ browser, url }) {
+      const { page, context } = await openPage(browser, url);
+      const ends = () =>
+        ["lower", "upper"].map(
+          (e) => document.querySelector(`input[aria-label='${e} end of the range']`).value,
+        );
+      await page.keyboard.press("r");
+      await page.keyboard.press(".");
+      await until(page, state, (s) => s.step === 2, "the second step");
+      await page.waitForTimeout(200);
+      assert.deepEqual(await page.evaluate(ends), ["20", "160"]);
+      await page.keyboard.press("r");
+      await until(page, ends, (e) => e[0] === "50" && e[1] === "190", "the step's own range");
+      const colour = (s) => s.presentation.effects.find((e) => e.type === "colour");
+      await page.keyboard.press("o");
+      await until(page, state, (s) => colour(s).isolines === true, "lines");
+      await page.locator(".legend-outside summary").click();
+      await page.getByLabel("colour of above").fill("#00ff00");
+      await until(page, state, (s) => colour(s).above === "#00ff00", "another colour above");
+      await context.close();
+    },
+  },
+  {
+    name: "a_plane_opens_the_solid_hatched_and_says_that_there_are_no_values_inside",
+    async run({ browser, url }) {
+      const { page, context } = await openPage(browser, url);
+      for (const key of ["x", "e", "0"]) await page.keyboard.press(key);
+      await viewFrom(page, "+x");
+      const { x, y } = await middle(page);
+      await page.mouse.move(x, y);
+      const end = await until(page, probe, (r) => r !== null, "the end of the bar");
+      assert.ok(Math.abs(end.point[0] - 120) < 1e-3);
+      const coloured = await pixelOf(page, await page.screenshot(), x + 12, y);
+      await page.keyboard.press("c");
+      const { cuts } = await until(page, state, (s) => s.cuts.length === 1, "a plane");
+      assert.deepEqual(cuts[0], { normal: [1, 0, 0], offset: 60, on: true });
+      await page.mouse.move(x + 1, y);
+      await until(page, probe, (r) => r === null, "no place");
+      const said = await page.locator(".card.inside").textContent();
+      assert.ok(said.includes("no value"), said);
+      await page.mouse.move(5, 5);
+      await page.waitForTimeout(200);
+      const [r, g, b] = await pixelOf(page, await page.screenshot(), x + 12, y);
+      assert.ok(Math.max(r, g, b) - Math.min(r, g, b) < 12, `the cap is plain, not ${[r, g, b]}`);
+      assert.notDeepEqual([r, g, b], coloured);
+      // The other side: the ray meets the bar's near end again.
+      const section = await unfold(page, "cuts");
+      await section.getByLabel("other side of plane 1").click();
+      // Beside the plane's knob.
+      await page.mouse.move(x + 18, y);
+      const again = await until(page, probe, (p) => p !== null, "the end of the bar again");
+      assert.ok(again.point[0] > 60);
+      await context.close();
+    },
+  },
+  {
+    name: "a_plane_is_typed_stepped_and_dragged",
+    async run({ browser, url }) {
+      const { page, context } = await openPage(browser, url);
+      await viewFrom(page, "-y");
+      await page.keyboard.press("c");
+      const section = await unfold(page, "cuts");
+      await section.getByLabel("place of plane 1, typed").fill("90");
+      await page.keyboard.press("Enter");
+      const offset = (s) => s.cuts[0].offset;
+      await until(page, state, (s) => offset(s) === 90, "the typed place");
+      await page.locator(".area-stage canvas").focus();
+      await page.keyboard.press("]");
+      await until(page, state, (s) => Math.abs(offset(s) - 91.2) < 1e-9, "one percent further");
+      const knob = await page.locator("[data-handle='cut-0']").boundingBox();
+      const [kx, ky] = [knob.x + knob.width / 2, knob.y + knob.height / 2];
+      await page.mouse.move(kx, ky);
+      await page.mouse.down();
+      await page.mouse.move(kx - 40, ky, { steps: 4 });
+      await page.mouse.up();
+      const dragged = offset(await page.evaluate(state));
+      assert.ok(dragged < 85 && dragged > 20, `dragged to ${dragged}`);
+      const moved = await page.locator("[data-handle='cut-0']").boundingBox();
+      assert.ok(Math.abs(knob.x - moved.x - 40) < 2, "the knob follows the hand");
+      await section.getByLabel("normal of plane 1").fill("0 3 4");
+      await page.keyboard.press("Enter");
+      const { cuts } = await page.evaluate(state);
+      assert.deepEqual(cuts[0].normal, [0, 0.6, 0.8]);
+      await context.close();
+    },
+  },
+  {
     name: "two_hundred_parts_are_drawn_in_a_few_calls",
     async run({ browser, serveTiny }) {
       const { url, bytes, close } = await serveTiny({ bars: 200, cells: [2, 1, 1] });

@@ -2,7 +2,9 @@
 // A function of the page as one piece: its section, keys, page of the headset's panel, marks on the model, report.
 import type { KeyCommand } from "../../input/keyboard";
 import type { Place } from "../../probe";
-import type { PanelPage, Section } from "../../ui";
+import type { Handle, PanelPage, Section } from "../../ui";
+
+export type { Handle };
 
 /** A labelled place on the model. */
 export interface PlaceMark {
@@ -22,6 +24,8 @@ export interface Feature {
   page?(): PanelPage | null;
   commands?(): readonly KeyCommand[];
   marks?(): readonly PlaceMark[];
+  /** Knobs on the model. */
+  handles?(): readonly Handle[];
   /** What `window.feelem.state()` says of it. */
   report?(): Record<string, unknown>;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of features, in the order of their sections. A new one is a file beside this and a line here.
 import type { App } from "../app";
+import { Cuts } from "./cuts";
 import type { Feature } from "./feature";
 import { HotSpots } from "./hot-spots";
+import { Limits } from "./limits";
 import { Parts } from "./parts";
 
 export function makeFeatures(app: App): readonly Feature[] {
-  return [new HotSpots(app), new Parts(app)];
+  return [new Limits(app), new HotSpots(app), new Parts(app), new Cuts(app)];
 }
