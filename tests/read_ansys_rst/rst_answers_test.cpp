@@ -150,10 +150,11 @@ protected:
         std::uint64_t missing = 0;
         const auto results = opened.model->results();
         for (std::size_t i = 0; i < results.size(); ++i) {
-            const bool reaction = results[i].name.starts_with("reaction");
+            const bool other =
+                results[i].averaging == Averaging::Solver || results[i].name.starts_with("reaction");
             const bool rate =
                 results[i].name.ends_with("velocity") || results[i].name.ends_with("acceleration");
-            if (results[i].step != wanted.step || results[i].complex != wanted.complex || reaction || rate ||
+            if (results[i].step != wanted.step || results[i].complex != wanted.complex || other || rate ||
                 results[i].location != Location::Nodal)
                 continue;
             for (const float value : opened.model->load(i).values) missing += std::isnan(value) ? 1U : 0U;

@@ -165,6 +165,16 @@ TEST(RstElement, composite_shells_show_their_outer_surfaces_along_their_own_laye
     EXPECT_EQ(load_wanted(opened, {"stress", 0, Complex::No, Layer::Middle}).row_count(), 0u);
 }
 
+TEST(RstElement, composites_that_store_outer_surfaces_alone_have_the_angles_of_all_layers) {
+    const std::vector<double> angles{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 45, 90};
+    const OpenedRst opened =
+        open_written(shell_with(181, 0, {{0, kStress, rows(8, 6, 0), 0}, {0, kEuler, angles, 0}}));
+    const Result bottom = load_wanted(opened, {"stress", 0, Complex::No, Layer::Bottom});
+    EXPECT_THAT(row_at(opened, bottom, 0, 10), ElementsAre(0, 1, 2, 3, 4, 5));
+    const Result top = load_wanted(opened, {"stress", 0, Complex::No, Layer::Top});
+    EXPECT_THAT(row_at(opened, top, 0, 10), ElementsAre(41, 40, 42, -43, 45, -44));
+}
+
 TEST(RstElement, shell63_begins_with_its_top) {
     const OpenedRst opened = open_written(shell_with(63, 0, {{0, kStress, rows(8, 6, 0), 0}}));
     EXPECT_EQ(row_at(opened, load_wanted(opened, {"stress", 0, Complex::No, Layer::Top}), 0, 20)[0], 10);

@@ -208,5 +208,32 @@ TEST_F(RstExports, means_of_elements_equal_mechanicals) {
     }
 }
 
+// OUTRES,NAR: two ways to the same numbers, out of different records.
+TEST_F(RstExports, averages_that_ansys_stored_equal_ours_over_all_elements) {
+    const OpenedRst opened = test::open_corpus({"rst/nodal_averaged_v251.rst"});
+    for (const char* name : {"stress", "elastic_strain", "plastic_strain"}) {
+        const std::string stored_name = std::string("averaged_") + name;
+        for (const std::uint32_t step : {0U, 4U}) {
+            const Result stored = load_wanted(opened, {stored_name, step});
+            EXPECT_EQ(stored.info.averaging, Averaging::Solver);
+            EXPECT_EQ(stored.info.location, Location::Nodal);
+            const Result ours =
+                average(opened.model->mesh(), load_wanted(opened, {name, step}), Averaging::All);
+            ASSERT_EQ(stored.values.size(), ours.values.size());
+            float largest = 0;
+            for (const float value : ours.values) largest = std::fmax(largest, std::abs(value));
+            std::size_t missing = 0;
+            for (std::size_t i = 0; i < ours.values.size(); ++i) {
+                EXPECT_EQ(std::isnan(stored.values[i]), std::isnan(ours.values[i]));
+                missing += std::isnan(ours.values[i]) ? 1U : 0U;
+                if (!std::isnan(ours.values[i])) {
+                    EXPECT_NEAR(stored.values[i], ours.values[i], 1e-6F * largest) << name << i;
+                }
+            }
+            EXPECT_EQ(missing, 138u * 6);  // Mid-side nodes.
+        }
+    }
+}
+
 }  // namespace
 }  // namespace feelem

@@ -97,6 +97,12 @@ private:
 
     void list_results() {
         nodal_ = list_nodal_results(sets_, header_, records_, !mesh_->node_angles.empty());
+        if (mesh_->node_angles.empty()) {
+            for (NodalResult& average : list_nodal_averages(sets_, header_, records_))
+                nodal_.push_back(std::move(average));
+        } else {
+            note_averages();
+        }
         elements_ = list_element_results(sets_, header_, file_mesh_);
         if (!elements_.empty()) element_order_ = elements_in_mesh_order(file_mesh_);
         for (std::size_t i = 0; i < nodal_.size(); ++i) listed_.push_back({false, i});
@@ -125,6 +131,20 @@ private:
         const auto key = std::make_tuple(info.step, info.layer, info.complex, info.name);
         const int before = names_[key]++;
         if (before > 0) info.name += fmt::format("_{}", before + 1);
+    }
+
+    /// No file was to be had that says along which axes they stand then.
+    void note_averages() {
+        for (const ResultSet& set : sets_.sets) {
+            if (set.nodal_averages == 0) continue;
+            diagnostics_.add(
+                Code::UnknownBlock,
+                records_.input().name(),
+                "nodal averages (OUTRES,NAR) are left out: some nodes have coordinate systems of their own, "
+                "and "
+                "it is not known whether the averages follow them"
+            );
+        }
     }
 
     void note_cyclic() {

@@ -8,6 +8,7 @@
 #include "read/ansys/rst_element.hpp"
 
 #include "model/rotation.hpp"
+#include "read/ansys/rst_layers.hpp"
 
 #include "feelem/error.hpp"
 
@@ -67,18 +68,6 @@ bool has_values(const ElementKindOfFile& kind) {
     using enum ansys::ElementKind;
     if (!kind.name || kind.result_nodes == 0) return false;
     return kind.name->kind == Solid || kind.name->kind == Plane || kind.name->kind == Shell;
-}
-
-/// The order of a shell's surfaces, proved on real files by the curvature of their solutions. Other shells,
-/// all of them old, were not to be had.
-enum class SurfaceOrder : std::uint8_t {
-    Unknown,
-    BottomFirst,
-    TopFirst
-};
-SurfaceOrder surface_order(std::int32_t routine) {
-    if (routine == 181 || routine == 281) return SurfaceOrder::BottomFirst;
-    return routine == 63 ? SurfaceOrder::TopFirst : SurfaceOrder::Unknown;
 }
 
 bool has_dof(const ResultSet& set, std::int32_t code) {
@@ -171,108 +160,6 @@ private:
     std::vector<ElementResult> out_;
 };
 
-/// Where the wanted row of each corner is, and which layer it lies in.
-struct RowPlan {
-    std::size_t layers = 1;
-    /// Row and layer of a corner.
-    std::vector<std::pair<std::size_t, std::size_t>> corners;
-};
-
-/// The rows of a shell: `surfaces` times its corners.
-std::optional<RowPlan> plan_shell(const ElementKindOfFile& kind, std::size_t rows, Layer layer) {
-    const std::size_t n = kind.result_nodes;
-    const SurfaceOrder order = surface_order(kind.routine);
-    if (rows == 0 || rows % n != 0 || order == SurfaceOrder::Unknown) return std::nullopt;
-    const std::size_t surfaces = rows / n;
-    RowPlan plan;
-    std::size_t surface = 0;
-    if (surfaces > 1) {
-        const bool has_middles = surfaces != 2 && kind.keyopt(8) == 2 && order == SurfaceOrder::BottomFirst;
-        const std::size_t in_layer = has_middles ? 3 : 2;
-        if (surfaces % in_layer != 0 || (surfaces > 2 && order == SurfaceOrder::TopFirst))
-            return std::nullopt;
-        plan.layers = surfaces / in_layer;
-        const bool top_first = order == SurfaceOrder::TopFirst;
-        switch (layer) {
-        case Layer::Bottom: surface = top_first ? 1 : 0; break;
-        case Layer::Top: surface = top_first ? 0 : (plan.layers - 1) * in_layer + 1; break;
-        default:
-            // The middle of several layers is none of theirs.
-            if (!has_middles || plan.layers != 1) return RowPlan{};
-            surface = 2;
-        }
-    }
-    for (std::size_t k = 0; k < n; ++k)
-        plan.corners.emplace_back(surface * n + k, surfaces > 1 && layer == Layer::Top ? plan.layers - 1 : 0);
-    return plan;
-}
-
-/// The rows of a solid: once its corners, or once a layer (then the outer surfaces of the outer layers).
-std::optional<RowPlan> plan_solid(const ElementKindOfFile& kind, std::size_t rows) {
-    const std::size_t n = kind.result_nodes;
-    if (rows == 0 || rows % n != 0) return std::nullopt;
-    RowPlan plan;
-    plan.layers = rows / n;
-    if (plan.layers > 1 && n != 8) return std::nullopt;
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t layer = k < n / 2 ? 0 : plan.layers - 1;
-        plan.corners.emplace_back(layer * n + k, layer);
-    }
-    return plan;
-}
-
-/// Axes of an element's corners and layers out of its Euler angles.
-class ElementAxes {
-public:
-    /// `corners` with repeats: a wedge may have angles of its six nodes, or of all eight places.
-    /// False when the angles are as many as nothing that is known has.
-    bool read(std::span<const double> angles, std::span<const NodeIndex> corners, std::size_t layers) {
-        angles_ = angles;
-        rows_.clear();
-        layers_first_ = 0;
-        is_global_ = std::ranges::all_of(angles, [](double angle) { return angle == 0; });
-        if (is_global_) return true;
-        const std::size_t n = corners.size();
-        for (std::size_t k = 0; k < n; ++k) {
-            const auto first = std::ranges::find(corners.first(k), corners[k]);
-            const auto at = static_cast<std::size_t>(first - corners.begin());
-            rows_.push_back(at < k ? rows_[at] : distinct_of_rows());
-        }
-        const std::size_t distinct = distinct_of_rows();
-        if (angles.size() == 3) {
-            std::ranges::fill(rows_, 0);
-            return true;
-        }
-        for (const std::size_t with_layers : {layers, std::size_t{1}, std::size_t{0}}) {
-            if (angles.size() == 3 * n + with_layers) {
-                for (std::size_t k = 0; k < n; ++k) rows_[k] = k;
-                layers_first_ = 3 * n;
-                return with_layers == layers || with_layers == 0;
-            }
-        }
-        layers_first_ = 3 * distinct;
-        return angles.size() == layers_first_ + layers || angles.size() == layers_first_;
-    }
-
-    bool is_global() const { return is_global_; }
-
-    Matrix3 axes(std::size_t corner, std::size_t layer) const {
-        const std::size_t at = 3 * rows_[corner];
-        const Matrix3 element = nodal_axes({angles_[at], angles_[at + 1], angles_[at + 2]});
-        const std::size_t place = layers_first_ + layer;
-        if (layers_first_ == 0 || place >= angles_.size() || angles_[place] == 0) return element;
-        return product(element, nodal_axes({angles_[place], 0, 0}));
-    }
-
-private:
-    std::size_t distinct_of_rows() const { return rows_.empty() ? 0 : *std::ranges::max_element(rows_) + 1; }
-
-    std::span<const double> angles_;
-    std::vector<std::size_t> rows_;
-    std::size_t layers_first_ = 0;
-    bool is_global_ = true;
-};
-
 class ValueReader {
 public:
     ValueReader(const ElementSource& source, const ResultSet& set, const ElementResult& result)
@@ -319,22 +206,17 @@ private:
             const bool again =
                 std::ranges::find(corners.first(k), corners[k]) != corners.begin() + std::ptrdiff_t(k);
             if (again || corners[k] == kNoNode) continue;
-            add_row(element, corners[k], k, plan->corners[k]);
+            add_row(element, k, plan->corners[k]);
         }
     }
 
-    void add_row(
-        const FileElement& element,
-        NodeIndex node,
-        std::size_t corner,
-        std::pair<std::size_t, std::size_t> place
-    ) {
-        const double* row = values_.data() + place.first * stored_;
+    void add_row(const FileElement& element, std::size_t corner, const RowPlan::Corner& place) {
+        const double* row = values_.data() + place.row * stored_;
         std::array<double, 6> values{};
         std::copy_n(row, width_, values.begin());
-        if (!axes_.is_global()) turn(axes_.axes(corner, place.second), values);
+        if (!axes_.is_global()) turn(axes_.axes(corner, place.in_last_layer), values);
         out_.row_owner.push_back(raw(element.index));
-        out_.row_node.push_back(node);
+        out_.row_node.push_back(source_.mesh.corners[element.first_corner + corner]);
         for (std::size_t c = 0; c < width_; ++c) out_.values.push_back(stored_value(values[c]));
     }
 

@@ -118,10 +118,10 @@ public:
     std::vector<NodalResult> list() {
         for (std::size_t i = 0; i < sets_.sets.size(); ++i) {
             const ResultSet& set = sets_.sets[i];
-            if (set.nodal != 0) add_columns(i, NodalRecord::Solution, set.dofs);
+            if (set.nodal != 0) add_columns(i, {NodalRecord::Solution, set.nodal, set.columns}, set.dofs);
             if (set.velocity != 0) add_rates(i, NodalRecord::Velocity, set.velocity);
             if (set.acceleration != 0) add_rates(i, NodalRecord::Acceleration, set.acceleration);
-            if (set.reaction != 0) add_columns(i, NodalRecord::Reaction, set.dofs);
+            if (set.reaction != 0) add_columns(i, {NodalRecord::Reaction, set.reaction, 0}, set.dofs);
         }
         return std::move(out_);
     }
@@ -141,15 +141,22 @@ private:
             return;  // The rest of the set may be whole.
         }
         if (structural.empty() || set.nodes == 0) return;
-        if (count == structural.size() * set.nodes) add_columns(i, record, structural);
+        if (count == structural.size() * set.nodes)
+            add_columns(i, {record, at, structural.size()}, structural);
     }
 
-    void add_columns(std::size_t i, NodalRecord record, const std::vector<std::int32_t>& codes) {
+    struct Source {
+        NodalRecord record;
+        Word at;
+        std::size_t width;
+    };
+
+    void add_columns(std::size_t i, const Source& source, const std::vector<std::int32_t>& codes) {
         const ResultSet& set = sets_.sets[i];
         const std::size_t first = out_.size();
         for (std::size_t column = 0; column < codes.size(); ++column) {
             ResultInfo info = info_of(codes[column], units_);
-            rename(info, record);
+            rename(info, source.record);
             info.step = set.step;
             info.complex = set.complex;
             const bool free_size = sets_.steps[set.step].kind == StepKind::Mode ||
@@ -167,7 +174,7 @@ private:
                 same->info.components.push_back(info.components.front());
                 same->columns.push_back(column);
             } else {
-                out_.push_back({std::move(info), i, record, {column}});
+                out_.push_back({std::move(info), i, source.record, source.at, source.width, {column}});
             }
         }
         for (std::size_t k = first; k < out_.size(); ++k) finish(out_[k].info);
@@ -234,15 +241,11 @@ public:
 
 private:
     void read_rows() {
-        const Word at = result_.record == NodalRecord::Solution   ? set_.nodal
-                        : result_.record == NodalRecord::Velocity ? set_.velocity
-                                                                  : set_.acceleration;
+        const Word at = result_.at;
+        const std::size_t width = result_.width;
         const Record record = records_.find(at);
         std::vector<double> values;
-        records_.unpack(record, row_nodes_.size() * std::max<std::size_t>(1, set_.columns), values);
-        const std::size_t width = result_.record == NodalRecord::Solution
-                                      ? set_.columns
-                                      : values.size() / std::max<std::size_t>(1, set_.nodes);
+        records_.unpack(record, row_nodes_.size() * std::max<std::size_t>(1, width), values);
         if (width == 0 || values.size() % width != 0 || result_.columns.back() >= width)
             bad(at, fmt::format("{} values in rows of {}", values.size(), width));
         const std::size_t rows = values.size() / width;
@@ -269,7 +272,7 @@ private:
     }
 
     void read_reactions() {
-        const Record index = records_.find(set_.reaction);
+        const Record index = records_.find(result_.at);
         std::vector<std::int32_t> places;
         records_.unpack(index, 2 * set_.reactions, places);
         std::vector<double> values;

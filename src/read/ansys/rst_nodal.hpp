@@ -17,7 +17,8 @@ enum class NodalRecord : std::uint8_t {
     Solution,
     Velocity,
     Acceleration,
-    Reaction
+    Reaction,
+    Average
 };
 
 /// A result and the columns of its record that it is made of.
@@ -25,12 +26,20 @@ struct NodalResult {
     ResultInfo info;
     std::size_t set = 0;
     NodalRecord record = NodalRecord::Solution;
+    Word at = 0;
+    std::size_t width = 0;  ///< Values a node in the record.
     std::vector<std::size_t> columns;
 };
 
 /// What the sets' heads promise. `rotated`: some nodes have a coordinate system of their own.
 std::vector<NodalResult> list_nodal_results(
     const ResultSets& sets, const ResultHeader& header, const Records& records, bool rotated
+);
+
+/// Stresses and strains that Ansys averaged itself (OUTRES,NAR), over all elements at a node. Where the file
+/// also has those of elements, these are called "averaged_stress".
+std::vector<NodalResult> list_nodal_averages(
+    const ResultSets& sets, const ResultHeader& header, const Records& records
 );
 
 struct NodalValues {
