@@ -138,7 +138,9 @@ std::vector<Case> cases_below(const std::string& root, std::uint64_t largest) {
         std::string bytes = test::read_file(path);
         const ReadFormat* format = reader_of(bytes);
         if (format == nullptr) continue;
-        if (format->many_inputs) listings[entry.path().parent_path().string()].push_back(cases.size());
+        // Result files in one folder are many models here.
+        const bool one_model = format->many_inputs && format->info.id != "ansys-rst";
+        if (one_model) listings[entry.path().parent_path().string()].push_back(cases.size());
         cases.push_back({fs::relative(path, root).string(), {{path, std::move(bytes)}}});
     }
     for (const auto& [folder, members] : listings) {

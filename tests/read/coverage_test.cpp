@@ -196,8 +196,11 @@ TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
     page += "## Ansys: text lists\n\nA folder is one model; excerpts are single pages.\n\n";
     page += table_of(folders(corpus, "ansys/lists"), corpus, unsound);
     page += "## Ansys: binary results\n\n";
-    page += table_of(files_below(corpus, "ansys", ".rst"), corpus, unsound);
-    page += table_of(files_below(corpus, "ansys", ".rth"), corpus, unsound);
+    std::vector<Group> binary = files_below(corpus, "ansys", ".rst");
+    for (Group& group : files_below(corpus, "ansys", ".rth")) binary.push_back(std::move(group));
+    const std::string run = "ansys/rst/distributed_v211/file";
+    binary.push_back({"rst/distributed_v211, both", {run + "0.rst", run + "1.rst"}});
+    page += table_of(binary, corpus, unsound);
     page += "## Ansys Mechanical: exported tables\n\n";
     page += table_of(folders(corpus, "ansys/workbench"), corpus, unsound);
     page += "## Nastran: decks\n\nEach with what it includes.\n\n";

@@ -36,6 +36,15 @@ OpenedRst open_written(const WrittenModel& model) {
     return open_bytes(write_rst(model));
 }
 
+OpenedRst open_written(const std::vector<WrittenModel>& models) {
+    OpenedRst opened;
+    std::vector<NamedBytes> files;
+    for (const WrittenModel& model : models)
+        files.push_back({"file" + std::to_string(files.size()) + ".rst", write_rst(model)});
+    opened.model = open_model(std::move(files), {}, *opened.diagnostics);
+    return opened;
+}
+
 OpenedRst open_corpus(const std::vector<std::string>& paths) {
     OpenedRst opened;
     std::vector<std::string> found;

@@ -21,6 +21,8 @@ struct OpenedRst {
 };
 OpenedRst open_bytes(const std::string& bytes);
 OpenedRst open_written(const WrittenModel& model);
+/// As files of one model.
+OpenedRst open_written(const std::vector<WrittenModel>& models);
 /// By path from the corpus; without a model when it is not there.
 OpenedRst open_corpus(const std::vector<std::string>& paths);
 

@@ -64,6 +64,8 @@ private:
     void write_heads() {
         Words standard(100);
         standard[0] = 12;
+        standard[2] = model_.time;
+        standard[3] = 20261122;
         put_text(standard, 10, 1, "25.2");
         put_text(standard, 41, 20, model_.title);
         file_.add(standard);
@@ -78,7 +80,7 @@ private:
         head[20] = model_.sectors;
         head[32] = model_.is_complex ? 1 : 0;
         head[39] = model_.has_principal ? 0 : 1;
-        head[48] = head[2];
+        head[48] = model_.nodes_of_all > 0 ? model_.nodes_of_all : head[2];
         head_ = file_.add(head);
     }
 

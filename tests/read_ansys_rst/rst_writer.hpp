@@ -90,6 +90,8 @@ struct WrittenModel {
     std::vector<std::int32_t> dofs{1, 2, 3};
     std::vector<WrittenSet> sets;
     std::int32_t analysis = 0, units = 0, sectors = 1;
+    std::int32_t nodes_of_all = 0;  ///< 0: those of this file.
+    std::int32_t time = 120000;     ///< Of day, when it was written.
     bool is_complex = false, has_principal = false;
     std::string title = "SYNTHETIC";
 };

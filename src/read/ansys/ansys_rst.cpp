@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A result file as a ModelSource: heads are read on opening, values on demand.
+// Which files are result files, and which of them are parts of one distributed run.
 #include "read/ansys/ansys_rst.hpp"
 
-#include "model/node_lookup.hpp"
-#include "read/ansys/rst_element.hpp"
-#include "read/ansys/rst_header.hpp"
-#include "read/ansys/rst_mesh.hpp"
-#include "read/ansys/rst_nodal.hpp"
-#include "read/ansys/rst_steps.hpp"
+#include "read/ansys/rst_domains.hpp"
+#include "read/ansys/rst_source.hpp"
 #include "read/merged_model.hpp"
 
 #include "feelem/error.hpp"
@@ -16,10 +12,10 @@
 
 #include <algorithm>
 #include <cstring>
-#include <map>
+#include <memory>
 #include <string>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace feelem {
 namespace rst {
@@ -41,177 +37,131 @@ Likelihood recognise_rst(const Input& input) {
     return word_of(head, 2) == kResultFile ? Likelihood::Sure : Likelihood::Maybe;
 }
 
-class RstSource : public ModelSource {
+/// A result file, and where it stands among the inputs.
+struct Opened {
+    std::unique_ptr<RstSource> source;
+    std::uint32_t input = 0;
+
+    const ResultHeader& header() const { return source->header(); }
+    const std::string& name() const { return source->records().input().name(); }
+    /// Holds a part of the nodes only: one of the files that a distributed run leaves.
+    bool is_domain() const { return header().nodes_of_all > header().nodes; }
+};
+
+bool of_one_run(const ResultHeader& a, const ResultHeader& b) {
+    return a.nodes_of_all == b.nodes_of_all && a.date == b.date && a.time == b.time &&
+           a.analysis == b.analysis;
+}
+
+void note_sectors(const Opened& opened, Diagnostics& diagnostics) {
+    if (opened.header().sectors <= 1) return;
+    diagnostics.add(
+        Code::ResultForPartOfModel,
+        opened.name(),
+        fmt::format(
+            "the model is one of {} equal sectors round an axis; only the sector in the file is shown",
+            opened.header().sectors
+        )
+    );
+}
+
+class Opener {
 public:
-    RstSource(Input input, const ReadContext& context, Diagnostics& diagnostics)
-        : records_(std::move(input)), diagnostics_(diagnostics), header_(read_header(records_)),
-          file_mesh_(read_file_mesh(records_, header_, diagnostics)),
-          sets_(read_sets(records_, header_, diagnostics)) {
-        mesh_ = &file_mesh_.mesh;
-        if (mesh_->node_count() == 0)
-            throw Error(Code::NoNodes, records_.input().name(), "the result file holds no nodes");
-        if (context.mesh != nullptr) check_same_mesh(*context.mesh, *mesh_, records_.input().name());
-        find_row_nodes();
-        list_results();
-        reported_.resize(infos_.size());
-        if (header_.sectors > 1) note_cyclic();
+    Opener(std::span<const Input> inputs, Diagnostics& diagnostics)
+        : inputs_(inputs), diagnostics_(diagnostics) {
+        for (std::uint32_t i = 0; i < inputs.size(); ++i)
+            opened_.push_back({std::make_unique<RstSource>(inputs[i], diagnostics), i});
     }
 
-    const Mesh& mesh() const override { return *mesh_; }
-    std::span<const Step> steps() const override { return sets_.steps; }
-    std::span<const ResultInfo> results() const override { return infos_; }
-    std::span<const InputRecord> inputs() const override { return {}; }
-    SolverInfo solver() const override { return {"Ansys", header_.version}; }
-    std::string title() const override { return header_.title; }
-
-    Result load(std::size_t index) override {
-        const Listed& listed = listed_.at(index);
-        Result result;
-        result.info = infos_[index];
-        if (listed.of_elements) {
-            const ElementResult& element = elements_[listed.place];
-            const ElementSource source{records_, header_, file_mesh_, element_order_};
-            ElementValues values = read_element_values(source, sets_.sets[element.set], element);
-            report(index, 0, values.without_number);
-            report_elements(index, values.not_understood);
-            result.values = std::move(values.values);
-            result.row_owner = std::move(values.row_owner);
-            result.row_node = std::move(values.row_node);
-        } else {
-            const NodalResult& nodal = nodal_[listed.place];
-            NodalValues values =
-                read_nodal_values(records_, sets_.sets[nodal.set], nodal, *mesh_, row_nodes_);
-            report(index, values.without_node, values.without_number);
-            result.values = std::move(values.values);
+    std::unique_ptr<ModelSource> open(const Mesh* mesh) {
+        for (Opened& opened : opened_) {
+            if (!opened.source) continue;
+            if (opened.is_domain()) {
+                add_run(opened);
+            } else {
+                note_sectors(opened, diagnostics_);
+                sources_.push_back({std::move(opened.source), {opened.input}});
+            }
         }
-        reported_[index] = true;
-        return result;
+        if (mesh != nullptr) {
+            for (const OpenedSource& source : sources_)
+                check_same_mesh(*mesh, source.source->mesh(), inputs_[source.inputs.front()].name());
+        }
+        if (sources_.size() == 1) return std::move(sources_.front().source);
+        std::vector<UsedInput> used;
+        for (const Input& input : inputs_) used.push_back({input, "ansys-rst"});
+        return merge_sources(std::move(sources_), std::move(used));
     }
 
 private:
-    /// A result by its kind and place among those.
-    struct Listed {
-        bool of_elements = false;
-        std::size_t place = 0;
-    };
-
-    void list_results() {
-        nodal_ = list_nodal_results(sets_, header_, records_, !mesh_->node_angles.empty());
-        if (mesh_->node_angles.empty()) {
-            for (NodalResult& average : list_nodal_averages(sets_, header_, records_))
-                nodal_.push_back(std::move(average));
-        } else {
-            note_averages();
+    /// All files of the run that this one belongs to, as one source.
+    void add_run(const Opened& first) {
+        const ResultHeader header = first.header();
+        std::vector<Opened*> members;
+        for (Opened& opened : opened_) {
+            if (opened.source && opened.is_domain() && of_one_run(opened.header(), header))
+                members.push_back(&opened);
         }
-        elements_ = list_element_results(sets_, header_, file_mesh_);
-        if (!elements_.empty()) element_order_ = elements_in_mesh_order(file_mesh_);
-        for (std::size_t i = 0; i < nodal_.size(); ++i) listed_.push_back({false, i});
-        for (std::size_t i = 0; i < elements_.size(); ++i) listed_.push_back({true, i});
-        std::ranges::stable_sort(listed_, {}, [this](const Listed& listed) { return info_of(listed).step; });
-        for (const Listed& listed : listed_) {
-            infos_.push_back(info_of(listed));
-            make_unique(infos_.back());
+        if (has_whole(header)) {
+            for (Opened* member : members) {
+                diagnostics_.add(
+                    Code::UnknownBlock,
+                    member->name(),
+                    "files of parts of a distributed run are left out, for another input holds the whole"
+                );
+                member->source.reset();
+            }
+            return;
         }
-    }
-
-    const ResultInfo& info_of(const Listed& listed) const {
-        return listed.of_elements ? elements_[listed.place].info : nodal_[listed.place].info;
-    }
-
-    void find_row_nodes() {
-        if (header_.node_ids == 0) return;
-        const std::vector<std::int32_t> ids = records_.integers(header_.node_ids, header_.nodes);
-        row_nodes_.reserve(ids.size());
-        const NodeLookup lookup(mesh_->node_ids);
-        for (const std::int32_t id : ids) row_nodes_.push_back(lookup(NodeId{id}));
-    }
-
-    /// Two results of one step may not share a name: velocity of a fluid and of a structure.
-    void make_unique(ResultInfo& info) {
-        const auto key = std::make_tuple(info.step, info.layer, info.complex, info.name);
-        const int before = names_[key]++;
-        if (before > 0) info.name += fmt::format("_{}", before + 1);
-    }
-
-    /// No file was to be had that says along which axes they stand then.
-    void note_averages() {
-        for (const ResultSet& set : sets_.sets) {
-            if (set.nodal_averages == 0) continue;
-            diagnostics_.add(
-                Code::UnknownBlock,
-                records_.input().name(),
-                "nodal averages (OUTRES,NAR) are left out: some nodes have coordinate systems of their own, "
-                "and "
-                "it is not known whether the averages follow them"
-            );
+        std::vector<std::unique_ptr<ModelSource>> domains;
+        std::vector<std::string> names;
+        std::vector<std::uint32_t> inputs;
+        for (Opened* member : members) {
+            names.push_back(member->name());
+            inputs.push_back(member->input);
+            domains.push_back(std::move(member->source));
         }
+        auto source = domains.size() == 1 ? std::move(domains.front())
+                                          : merge_domains(std::move(domains), names, diagnostics_);
+        note_missing(header, names.front(), source->mesh().node_count());
+        sources_.push_back({std::move(source), std::move(inputs)});
     }
 
-    void note_cyclic() {
+    bool has_whole(const ResultHeader& header) const {
+        // One that was moved to the sources already held all of its nodes, too.
+        const auto holds_all = [&](std::size_t nodes) { return nodes == header.nodes_of_all; };
+        for (const Opened& opened : opened_) {
+            if (opened.source && !opened.is_domain() && holds_all(opened.header().nodes)) return true;
+        }
+        return std::ranges::any_of(sources_, [&](const OpenedSource& source) {
+            return holds_all(source.source->mesh().node_count());
+        });
+    }
+
+    void note_missing(const ResultHeader& header, const std::string& name, std::size_t nodes) {
+        if (nodes >= header.nodes_of_all) return;
         diagnostics_.add(
             Code::ResultForPartOfModel,
-            records_.input().name(),
+            name,
             fmt::format(
-                "the model is one of {} equal sectors round an axis; only the sector in the file is shown",
-                header_.sectors
+                "the files of this distributed run hold {} of {} nodes. Give all of them (file0.rst, "
+                "file1.rst ...), or the combined file.rst",
+                nodes,
+                header.nodes_of_all
             )
         );
     }
 
-    void report(std::size_t index, std::uint64_t without_node, std::uint64_t without_number) {
-        if (reported_[index]) return;
-        const std::string& name = infos_[index].solver_name;
-        if (without_node > 0) {
-            diagnostics_.add(
-                Code::ResultWithoutNode,
-                records_.input().name(),
-                fmt::format("{} has values at nodes that the mesh does not have", name),
-                without_node
-            );
-        }
-        if (without_number > 0) {
-            diagnostics_.add(
-                Code::NonFiniteValue,
-                records_.input().name(),
-                fmt::format("{} has values that are no finite numbers; they count as missing", name),
-                without_number
-            );
-        }
-    }
-
-    void report_elements(std::size_t index, std::uint64_t not_understood) {
-        if (reported_[index] || not_understood == 0) return;
-        diagnostics_.add(
-            Code::ResultForPartOfModel,
-            records_.input().name(),
-            fmt::format(
-                "{} is left out for elements whose layers are stored in an order that is not known",
-                infos_[index].solver_name
-            ),
-            not_understood
-        );
-    }
-
-    Records records_;
+    std::span<const Input> inputs_;
     Diagnostics& diagnostics_;
-    ResultHeader header_;
-    FileMesh file_mesh_;
-    ResultSets sets_;
-    const Mesh* mesh_ = nullptr;
-    std::vector<NodeIndex> row_nodes_;
-    std::vector<ResultInfo> infos_;
-    std::vector<Listed> listed_;
-    std::vector<NodalResult> nodal_;
-    std::vector<ElementResult> elements_;
-    std::vector<std::uint32_t> element_order_;
-    std::vector<bool> reported_;
-    std::map<std::tuple<std::uint32_t, Layer, Complex, std::string>, int> names_;
+    std::vector<Opened> opened_;
+    std::vector<OpenedSource> sources_;
 };
 
 std::unique_ptr<ModelSource> open_rst(
     std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics
 ) {
-    return std::make_unique<RstSource>(inputs.front(), context, diagnostics);
+    return Opener(inputs, diagnostics).open(context.mesh);
 }
 
 }  // namespace
@@ -220,7 +170,7 @@ std::unique_ptr<ModelSource> open_rst(
 ReadFormat ansys_rst_format() {
     return {
         {"ansys-rst", "Ansys results, binary", ".rst .rth .rmg", true, true},
-        false,
+        true,
         rst::recognise_rst,
         rst::open_rst};
 }

@@ -99,6 +99,8 @@ ResultHeader read_header(const Records& records) {
 
     ResultHeader header;
     header.version = text_of(standard, 10, 1);
+    header.time = item(standard, 3);
+    header.date = item(standard, 4);
     header.title = utf8_of_title(text_of(standard, 41, 20));
     header.nodes = count_of(records, head, 3);
     header.set_table = count_of(records, head, 4);

@@ -23,8 +23,9 @@ enum class Analysis : std::int32_t {
 };
 
 struct ResultHeader {
-    std::string version;  ///< "24.2"
-    std::string title;    ///< UTF-8.
+    std::string version;              ///< "24.2"
+    std::string title;                ///< UTF-8.
+    std::int32_t date = 0, time = 0;  ///< Of the run.
     std::int32_t units = -1;
     std::int32_t analysis = 0;     ///< Analysis, or a number that is none of it.
     std::size_t nodes = 0;         ///< In the solution: the table of nodes may hold more.
