@@ -60,7 +60,7 @@ export class App implements ApiSource {
     this.player = new Player(this.view, this.store, this.stage);
     this.models = new ViewModels(this.view, this.store, this.probing, this.player);
     this.overlay = new Overlay(this);
-    this.#vr = new VrEntry(this, () => this.#refreshPage());
+    this.#vr = new VrEntry(this, () => this.refreshPage());
     this.#pageView = new PageView(this, page, this.player);
     this.actions = makeActions(this, this.player);
     this.features = makeFeatures(this);
@@ -174,14 +174,14 @@ export class App implements ApiSource {
     this.stage.invalidate();
   }
 
-  #refreshPage(): void {
+  refreshPage(): void {
     this.#pageView.render();
     this.invalidate();
   }
 
   #reshown(): void {
     this.overlay.renew();
-    this.#refreshPage();
+    this.refreshPage();
   }
 
   #stateChanged(state: ViewState, before: ViewState): void {
@@ -191,7 +191,7 @@ export class App implements ApiSource {
     if (state.theme !== before.theme) applyTheme(state.theme, this.stage);
     if (state.shading !== before.shading) this.view.applyShading();
     this.view.model.setEdges(state.edges);
-    this.#refreshPage();
+    this.refreshPage();
   }
 
   #frame(): void {

@@ -5,6 +5,9 @@ import { defaultPresentation, type PresentationDoc } from "./presentation-doc";
 import type { ViewState } from "./store";
 import { rememberedTheme } from "./theme";
 
+/** Triangles up to which the ghost's lines are looked for unasked. */
+const GHOST_UP_TO = 300_000;
+
 /** Reads the scene; its side files are looked for beside it. */
 export async function fetchScene(url: string): Promise<SceneData> {
   const fetchBytes = async (address: string) => {
@@ -34,7 +37,8 @@ export function firstState(scene: SceneData): ViewState {
   // The step whose results stand in the scene's attributes is the one it wants shown first.
   const coloured = (extras.texcoords as { step?: number }[] | undefined)?.[0]?.step;
   const firstStep = coloured ?? extras.deformation?.step ?? extras.steps[0]?.id ?? 0;
-  const deformation = doc.deformation as { factor?: number | null } | null | undefined;
+  const triangles = scene.parts.reduce((sum, part) => sum + part.indices.length / 3, 0);
+  const deformation = doc.deformation as { factor?: number | null; ghost?: unknown } | null | undefined;
   const typed = typeof deformation?.factor === "number" ? deformation.factor : null;
   return {
     doc,
@@ -54,6 +58,8 @@ export function firstState(scene: SceneData): ViewState {
     notice: "",
     loading: false,
     cuts: [],
+    ghost: deformation?.ghost === "featureEdges" && triangles < GHOST_UP_TO,
+    speed: 1,
     hidden: [],
     clear: [],
     open: [],

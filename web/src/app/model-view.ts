@@ -35,8 +35,9 @@ export class ModelView {
   #largestDisplacement = 0;
   #loadedStep = Number.NaN;
   #turn = 0;
-  /** Position in the swing of a mode, -1..1; 1 at rest. */
-  #phase = 1;
+  #imaginary: readonly (Float32Array | null)[] | null = null;
+  /** Position in the swing of a mode, radians. */
+  #angle = 0;
   #cuts: readonly Cut[] = [];
 
   constructor(scene: SceneData, store: Store, changed: () => void) {
@@ -82,13 +83,40 @@ export class ModelView {
     const wanted = presentedOf(this.#store.state.doc, this.scene.extras).find((p) => p.key === key);
     if (!wanted) return null;
     const isVector = (r: SceneResult) =>
-      r.components.length === 3 && ["x", "y", "z"].every((c) => r.components.includes(c));
+      r.complex !== "imaginary" &&
+      r.components.length === 3 &&
+      ["x", "y", "z"].every((c) => r.components.includes(c));
     const { results } = this.scene.extras;
     return (
       results.find((r) => r.quantity === wanted.name && isVector(r)) ??
       results.find((r) => r.id === wanted.name && isVector(r)) ??
       null
     );
+  }
+
+  /** The other part of a complex shape at this step; null: the shape is real. */
+  #imaginaryOf(shape: SceneResult | null, step: number): SceneResult | null {
+    if (shape?.complex !== "real") return null;
+    const { results } = this.scene.extras;
+    const is = (r: SceneResult) =>
+      r.complex === "imaginary" && r.quantity === shape.quantity && r.components.length === 3;
+    return results.find((r) => is(r) && r.values.some((v) => v.step === step)) ?? null;
+  }
+
+  /** Whether the shape turns as it swings: the step has a complex displacement. */
+  get isComplex(): boolean {
+    return this.#imaginary !== null;
+  }
+
+  /** Factors of the real and the imaginary displacement as they are drawn now. */
+  get swing(): { re: number; im: number } {
+    const { factor } = this;
+    const im = this.#imaginary ? 0 - factor * Math.sin(this.#angle) : 0;
+    return { re: factor * Math.cos(this.#angle), im };
+  }
+
+  applyGhost(): void {
+    this.model.setGhost(this.#store.state.ghost && this.factor !== 0);
   }
 
   /** Loads what the state asks for and shows it; a result that cannot be read is said and left out. */
@@ -100,6 +128,8 @@ export class ModelView {
     const shape = this.#shapeResult();
     const wanted = new Set<SceneResult>(presented.flatMap((p) => p.result ?? []));
     if (shape) wanted.add(shape);
+    const other = this.#imaginaryOf(shape, step);
+    if (other) wanted.add(other);
     const problems: string[] = [];
     const loaded = new Map<SceneResult, Fields>();
     const nothing: Fields = this.scene.parts.map(() => null);
@@ -118,7 +148,7 @@ export class ModelView {
       const fields = (p.result && loaded.get(p.result)) ?? nothing;
       return { ...p, fields, range: rangeOf(p, step, fields) };
     });
-    this.#applyShape(shape ? (loaded.get(shape) ?? null) : null, shape, step);
+    this.#applyShape(shape, (result) => loaded.get(result) ?? null, step);
     this.#loadedStep = step;
     this.#applyColour();
     this.applyFactor();
@@ -126,15 +156,24 @@ export class ModelView {
     this.#changed();
   }
 
-  #applyShape(fields: Fields | null, shape: SceneResult | null, step: number): void {
-    this.#displacements = this.scene.parts.map((_, i) => (fields?.[i] ? toVectors(fields[i]) : null));
+  #applyShape(shape: SceneResult | null, read: (r: SceneResult) => Fields | null, step: number): void {
+    const vectors = (result: SceneResult | null) => {
+      const fields = result && read(result);
+      return this.scene.parts.map((_, i) => (fields?.[i] ? toVectors(fields[i]) : null));
+    };
+    const other = this.#imaginaryOf(shape, step);
+    this.#displacements = vectors(shape);
+    this.#imaginary = other ? vectors(other) : null;
     this.#largestDisplacement = 0;
     if (shape) {
       const magnitude = findResult(this.scene.extras, shape.quantity ?? shape.id, "magnitude");
       const stated = magnitude?.result.values.find((v) => v.step === step)?.max?.value;
-      this.#largestDisplacement = stated ?? largestOf(this.#displacements);
+      this.#largestDisplacement = Math.max(
+        stated ?? largestOf(this.#displacements),
+        largestOf(this.#imaginary ?? []),
+      );
     }
-    this.model.setDisplacements(this.#displacements);
+    this.model.setDisplacements(this.#displacements, this.#imaginary);
   }
 
   #applyColour(): void {
@@ -151,12 +190,13 @@ export class ModelView {
     this.model.setValues(colour?.fields ?? null, colour?.componentIndex ?? 0);
   }
 
-  /** Draws the deformation; `phase` swings a mode between -1 and 1. */
-  applyFactor(phase = this.#phase): void {
-    this.#phase = phase;
-    const factor = this.factor * phase;
-    this.model.setFactor(factor);
-    this.picker.setShape(this.#displacements, factor);
+  /** Draws the deformation; `angle` swings a mode: Re cos - Im sin, at rest at 0. */
+  applyFactor(angle = this.#angle): void {
+    this.#angle = angle;
+    const { re, im } = this.swing;
+    this.model.setFactor(re, im);
+    this.picker.setShape(this.#displacements, re, this.#imaginary, im);
+    this.applyGhost();
   }
 
   /** Diagonal of the undeformed box, model units. */

@@ -16,6 +16,7 @@ export class Player {
   #stopRunning: (() => void) | null = null;
   #started: number | null = null;
   #lastStep = 0;
+  #angle = 0;
 
   constructor(view: ModelView, store: Store, stage: Stage) {
     this.#view = view;
@@ -28,20 +29,23 @@ export class Player {
   }
 
   get canPlay(): boolean {
-    return (
-      this.#view.scene.extras.steps.length > 1 || (this.#view.step?.kind === "mode" && this.#view.hasShape)
-    );
+    return this.#view.scene.extras.steps.length > 1 || (this.#turns && this.#view.hasShape);
+  }
+
+  get #turns(): boolean {
+    return this.#view.step?.kind === "mode" || this.#view.isComplex;
   }
 
   get #swings(): boolean {
-    return this.#view.step?.kind === "mode" && this.#view.hasShape && this.#view.factor !== 0;
+    return this.#turns && this.#view.hasShape && this.#view.factor !== 0;
   }
 
   #switch(on: boolean): void {
     this.#stopRunning?.();
     this.#stopRunning = on ? this.#stage.keepRunning() : null;
     this.#started = null;
-    if (!on) this.#view.applyFactor(1);
+    this.#angle = 0;
+    if (!on) this.#view.applyFactor(0);
     this.#stage.invalidate();
   }
 
@@ -49,10 +53,12 @@ export class Player {
     if (!this.#store.state.playing) return;
     this.#started ??= seconds;
     if (this.#swings) {
-      this.#view.applyFactor(Math.cos(2 * Math.PI * SWINGS * (seconds - this.#started)));
+      this.#angle += 2 * Math.PI * SWINGS * this.#store.state.speed * (seconds - this.#started);
+      this.#started = seconds;
+      this.#view.applyFactor(this.#angle);
       return;
     }
-    if (!this.#view.ready || seconds - this.#lastStep < STEP_SECONDS) return;
+    if (!this.#view.ready || seconds - this.#lastStep < STEP_SECONDS / this.#store.state.speed) return;
     this.#lastStep = seconds;
     this.stepBy(1);
   }

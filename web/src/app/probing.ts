@@ -27,6 +27,7 @@ export class Probing {
   readonly #store: Store;
   readonly #pointers = new Map<string, PointerState>();
   #clock = 0;
+  #chosen: Place | null = null;
 
   constructor(view: ModelView, store: Store) {
     this.#view = view;
@@ -52,15 +53,23 @@ export class Probing {
     if (place) {
       this.#clock += 1;
       pointer.moved = this.#clock;
+      if (name === PIN || pointer.held) this.#chosen = place;
     }
   }
 
   hold(name: string, kind: PointerKind, on: boolean): void {
-    this.pointer(name, kind).held = on;
+    const pointer = this.pointer(name, kind);
+    pointer.held = on;
+    if (on && pointer.place) this.#chosen = pointer.place;
   }
 
   remove(name: string): void {
     this.#pointers.delete(name);
+  }
+
+  /** The place that was pressed or gone to last. */
+  get chosen(): Place | null {
+    return this.#chosen;
   }
 
   /** Nothing is held any more: blur, end of a session. */

@@ -31,6 +31,10 @@ export interface ViewState {
   readonly open: readonly string[];
   readonly hot: HotOptions;
   readonly cuts: readonly CutState[];
+  /** The undeformed shape as lines. */
+  readonly ghost: boolean;
+  /** Of playing; 1: as usual. */
+  readonly speed: number;
 }
 
 /** A plane that cuts the model, in the coordinates of the solver; the side its normal points to is gone. */

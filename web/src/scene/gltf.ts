@@ -113,6 +113,8 @@ function readOne(view: DataView, at: number, type: number, normalized: boolean):
   }
 }
 
+const SIDE_FILES = 8;
+
 export interface Numbers {
   readonly components: number;
   readonly count: number;
@@ -125,6 +127,7 @@ export class AccessorReader {
   readonly #bin: Uint8Array | null;
   readonly #fetchSide: FetchSide;
   readonly #byName = new Map<string, number>();
+  readonly #side: number[] = [];
   readonly #buffers = new Map<number, Promise<Uint8Array>>();
 
   constructor(container: Container, fetchSide: FetchSide) {
@@ -194,6 +197,9 @@ export class AccessorReader {
       promise = this.#loadBuffer(index);
       this.#buffers.set(index, promise);
       promise.catch(() => this.#buffers.delete(index));
+      // Results are copied out of a side file at once: only the last few are worth keeping.
+      if (this.#json.buffers?.[index]?.uri !== undefined) this.#side.push(index);
+      if (this.#side.length > SIDE_FILES) this.#buffers.delete(this.#side.shift() ?? -1);
     }
     return promise;
   }

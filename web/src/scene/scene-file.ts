@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene bytes -> SceneData: typed arrays with solver ids, results on demand. No three.js, no DOM.
+import { FieldCache } from "./field-cache";
 import {
   AccessorReader,
   type FetchSide,
@@ -34,6 +35,9 @@ export interface SceneData {
   /** A result at a step, one entry a part; null where the part has no such result. Cached. */
   loadField(result: SceneResult, step: number): Promise<readonly (PartField | null)[]>;
 }
+
+/** Bytes of results that are kept for showing a step again. */
+const FIELD_ROOM = 160e6;
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] as const;
 
@@ -251,24 +255,19 @@ export async function openScene(bytes: ArrayBuffer, fetchSide: FetchSide): Promi
     const part = item.role === "edges" ? parts.find((p) => p.index === item.part) : undefined;
     if (part) part.edges = await opener.edges(item);
   }
-  const fields = new Map<string, Promise<readonly (PartField | null)[]>>();
+  const cache = new FieldCache(FIELD_ROOM);
   const loadField = (result: SceneResult, step: number) => {
-    const key = `${result.id}\n${step}`;
-    let field = fields.get(key);
-    if (!field) {
-      const entry = result.values.find((v) => v.step === step);
-      if (!entry) return Promise.resolve(parts.map(() => null));
-      field = Promise.all(
+    const entry = result.values.find((v) => v.step === step);
+    if (!entry) return Promise.resolve(parts.map(() => null));
+    return cache.get(`${result.id}\n${step}`, () =>
+      Promise.all(
         parts.map((part) => {
           const slot = extras.parts.findIndex((p) => p.id === part.index);
           const mask = entry.valid?.[slot] ?? null;
           return readField(reader, result, entry.accessors[slot] ?? null, mask, part.nodeIds.length);
         }),
-      );
-      fields.set(key, field);
-      field.catch(() => fields.delete(key));
-    }
-    return field;
+      ),
+    );
   };
   return { extras, matrix, parts, gaps: opener.gaps, loadField };
 }

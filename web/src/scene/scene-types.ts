@@ -36,6 +36,8 @@ export interface SceneResult {
   readonly location: string;
   readonly averaging?: string;
   readonly derived?: boolean;
+  /** Of complex results: which part this is. */
+  readonly complex?: false | "real" | "imaginary" | "amplitude" | "phase";
   readonly values: readonly ResultValues[];
 }
 

@@ -18,7 +18,7 @@ export interface Actions {
   stepBy(count: number): void;
   togglePlay(): void;
   setDeform(mode: DeformMode, factor?: number): void;
-  toggle(what: "edges" | "shading" | "extremes" | "sound" | "touch"): void;
+  toggle(what: "edges" | "shading" | "extremes" | "sound" | "touch" | "ghost"): void;
   cycleTheme(): void;
   fit(): void;
   view(name: ViewName): void;

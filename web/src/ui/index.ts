@@ -4,6 +4,7 @@ export type { Actions, ViewName } from "./actions";
 export { axisOf, type CutActions, type CutDirection, cutListTemplate } from "./cut-list";
 export { axisTexts, numberText, stepText, unitText, withUnit } from "./format";
 export { type Handle, handlesTemplate } from "./handles";
+export { type HistoryLine, type HistoryModel, historyTemplate } from "./history-plot";
 export { type HotListModel, type HotRow, hotListTemplate } from "./hot-list";
 export type { IconName } from "./icons";
 export { type LegendModel, legendTemplate, paintLegend } from "./legend";

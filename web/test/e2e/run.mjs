@@ -10,6 +10,7 @@ import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
 import { programTests } from "./program.mjs";
 import { serve } from "./server.mjs";
+import { timeTests } from "./time.mjs";
 import { vrTests } from "./vr.mjs";
 
 const LIMIT_SECONDS = 180;
@@ -41,7 +42,7 @@ const given = { browser, url: server.url, scene: readScene(glb), serveTiny };
 let passed = 0;
 let failed = 0;
 let skipped = 0;
-for (const { name, run, skip } of [...deskTests, ...lookTests, ...vrTests, ...programTests]) {
+for (const { name, run, skip } of [...deskTests, ...lookTests, ...timeTests, ...vrTests, ...programTests]) {
   if (!name.includes(wanted)) continue;
   if (skip) {
     skipped += 1;

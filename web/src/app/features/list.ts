@@ -3,10 +3,11 @@
 import type { App } from "../app";
 import { Cuts } from "./cuts";
 import type { Feature } from "./feature";
+import { History } from "./history";
 import { HotSpots } from "./hot-spots";
 import { Limits } from "./limits";
 import { Parts } from "./parts";
 
 export function makeFeatures(app: App): readonly Feature[] {
-  return [new Limits(app), new HotSpots(app), new Parts(app), new Cuts(app)];
+  return [new Limits(app), new HotSpots(app), new Parts(app), new Cuts(app), new History(app)];
 }
