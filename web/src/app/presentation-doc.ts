@@ -72,20 +72,40 @@ function list(doc: PresentationDoc, key: "results" | "effects"): Json[] {
   return Array.isArray(value) ? value.filter(isObject) : [];
 }
 
+/** Which of several results of one name and component is meant; what is not said is left to the scene. */
+export interface Variant {
+  readonly averaging?: string;
+  readonly layer?: string;
+}
+
+/** How well a result is what was meant, as src/convert/scene_target.cpp has it; 0: it is not. */
+function fitness(result: SceneResult, wanted: Variant): number {
+  if (wanted.layer && result.layer !== wanted.layer) return 0;
+  let fits = 1;
+  if (result.components.length === 1) fits += 1;
+  if (wanted.averaging && result.averaging === wanted.averaging) fits += 2;
+  if (!result.layer || wanted.layer) fits += 4;
+  if (!result.complex) fits += 8;
+  return fits;
+}
+
 /** The scene's result that a name and component mean: a scalar of its own before a part of a vector. */
 export function findResult(
   extras: FeelemExtras,
   name: string,
   component: string,
+  wanted: Variant = {},
 ): { result: SceneResult; index: number } | null {
   let found: { result: SceneResult; index: number } | null = null;
+  let most = 0;
   for (const result of extras.results) {
     if (result.quantity !== name && result.id !== name) continue;
     let index = result.components.indexOf(component);
     if (index < 0 && result.components.length === 1 && component === "value") index = 0;
-    if (index < 0) continue;
-    if (!found || (result.components.length === 1 && found.result.components.length > 1))
-      found = { result, index };
+    const fits = index < 0 ? 0 : fitness(result, wanted);
+    if (fits <= most) continue;
+    most = fits;
+    found = { result, index };
   }
   return found;
 }
@@ -100,7 +120,8 @@ export function presentedOf(doc: PresentationDoc, extras: FeelemExtras): Present
   return list(doc, "results").map((entry) => {
     const name = text(entry.name);
     const component = text(entry.component, "value");
-    const found = findResult(extras, name, component);
+    const wanted = { averaging: text(entry.averaging), layer: text(entry.layer) };
+    const found = findResult(extras, name, component, wanted);
     const range = isObject(entry.range) ? entry.range : {};
     const limit = isObject(entry.limit) ? entry.limit : {};
     return {
@@ -269,6 +290,39 @@ export function setColour(doc: PresentationDoc, change: ColourChange): Presentat
   return { ...doc, effects: list(doc, "effects").map((e) => (e === entry ? { ...e, ...change } : e)) };
 }
 
+/** Another component, averaging or layer of the same quantity; a range that was typed stays typed. */
+export function setVariant(
+  doc: PresentationDoc,
+  key: string,
+  change: { component?: string; averaging?: string; layer?: string },
+): PresentationDoc {
+  return editResult(doc, key, (entry) => ({ ...entry, ...change }));
+}
+
+/** What can be chosen of a presented result's quantity: more than one word where there is a choice. */
+export interface Choices {
+  readonly components: readonly string[];
+  readonly averagings: readonly string[];
+  readonly layers: readonly string[];
+}
+
+export function choicesOf(presented: Presented, extras: FeelemExtras): Choices {
+  const now = presented.result;
+  if (!now) return { components: [], averagings: [], layers: [] };
+  const same = extras.results.filter(
+    (r) => r.quantity === now.quantity && (r.complex || "") === (now.complex || ""),
+  );
+  const alike = same.filter((r) => r.components.includes(presented.component));
+  const words = (values: (string | null | undefined)[]) => [
+    ...new Set(values.filter((v): v is string => !!v)),
+  ];
+  return {
+    components: words(same.flatMap((r) => r.components)),
+    averagings: words(alike.filter((r) => (r.layer ?? null) === (now.layer ?? null)).map((r) => r.averaging)),
+    layers: words(alike.map((r) => r.layer)),
+  };
+}
+
 /** Adds a result of the scene; gives its key. */
 export function addResult(
   doc: PresentationDoc,
@@ -289,6 +343,8 @@ export function addResult(
     name: result.quantity ?? result.id,
     component,
     location: result.location,
+    ...(result.averaging ? { averaging: result.averaging } : {}),
+    ...(result.layer ? { layer: result.layer } : {}),
     unit: result.unit ?? "",
     range: { mode: "auto", lo: null, hi: null, scale: "lin" },
   };

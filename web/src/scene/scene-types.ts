@@ -34,7 +34,11 @@ export interface SceneResult {
   readonly components: readonly string[];
   readonly unit?: string | null;
   readonly location: string;
-  readonly averaging?: string;
+  readonly averaging?: string | null;
+  readonly complex?: string | false;
+  readonly layer?: string | null;
+  /** Of the components: "cylindrical:OX,OY,OZ,AX,AY,AZ"; null: the global one. */
+  readonly system?: string | null;
   readonly derived?: boolean;
   /** Of complex results: which part this is. */
   readonly complex?: false | "real" | "imaginary" | "amplitude" | "phase";

@@ -18,3 +18,10 @@ export { type PanelButton, type PanelPage, type PanelRow, type Section, sections
 export { type StepBarModel, stepBarTemplate } from "./step-bar";
 export { type TopBarModel, topBarTemplate } from "./top-bar";
 export { modelDirection, triadTemplate } from "./triad";
+export {
+  averagingText,
+  originText,
+  type VariantActions,
+  type VariantRow,
+  variantListTemplate,
+} from "./variant-list";

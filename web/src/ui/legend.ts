@@ -8,6 +8,7 @@ import { type Palette, texelOf } from "../render";
 import type { Actions } from "./actions";
 import { axisTexts, numberText, unitText } from "./format";
 import { labelPositions, positionOf, valueAtPosition } from "./scale-axis";
+import { originText } from "./variant-list";
 
 export interface LegendModel {
   readonly shown: Shown;
@@ -172,7 +173,7 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
     </ul>
     ${limit && limitAt === null ? html`<p class="legend-note">limit ${numberText(shown.limit)}: ${limit.above ? "above" : "below"} this range</p>` : null}
     ${settings(model, actions)}
-    <p class="legend-note">${shown.result?.location ?? ""}${shown.result?.averaging ? ` · averaged by ${shown.result.averaging}` : ""}</p>
+    <p class="legend-note">${originText(shown.result)}</p>
     <p class="legend-note">${model.deformText}</p>
     ${model.shading ? html`<p class="legend-note">shaded: colours on the model are darker than here</p>` : null}
   </aside>`;

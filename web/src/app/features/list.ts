@@ -7,7 +7,8 @@ import { History } from "./history";
 import { HotSpots } from "./hot-spots";
 import { Limits } from "./limits";
 import { Parts } from "./parts";
+import { Variants } from "./variants";
 
 export function makeFeatures(app: App): readonly Feature[] {
-  return [new Limits(app), new HotSpots(app), new Parts(app), new Cuts(app), new History(app)];
+  return [new Variants(app), new Limits(app), new HotSpots(app), new Parts(app), new Cuts(app), new History(app)];
 }
