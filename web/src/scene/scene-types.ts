@@ -35,7 +35,6 @@ export interface SceneResult {
   readonly unit?: string | null;
   readonly location: string;
   readonly averaging?: string | null;
-  readonly complex?: string | false;
   readonly layer?: string | null;
   /** Of the components: "cylindrical:OX,OY,OZ,AX,AY,AZ"; null: the global one. */
   readonly system?: string | null;
