@@ -5,7 +5,9 @@
 #include "read/ansys/ansys_rst.hpp"
 #include "read/calculix/calculix_frd.hpp"
 #include "read/nastran/nastran_bulk.hpp"
+#include "read/nastran/nastran_f06.hpp"
 #include "read/nastran/nastran_op2.hpp"
+#include "read/nastran/nastran_punch.hpp"
 #include "read/read_format.hpp"
 #include "read/unv/unv_format.hpp"
 
@@ -22,6 +24,8 @@ std::span<const ReadFormat> read_format_list() {
         ansys_lists_format(),
         nastran_bulk_format(),
         nastran_op2_format(),
+        nastran_punch_format(),
+        nastran_f06_format(),
     };
     return list;
 }

@@ -93,6 +93,21 @@ std::vector<Group> decks_below(const fs::path& corpus, const std::string& folder
     return groups;
 }
 
+/// Nastran's print files, each with the deck of the same name and what that includes.
+std::vector<Group> prints_below(const fs::path& corpus, const std::string& folder) {
+    std::vector<Group> groups = files_below(corpus, folder, ".f06");
+    for (Group& group : groups) {
+        for (const char* ending : {".bdf", ".dat"}) {
+            for (const Group& deck : decks_below(corpus, folder, ending)) {
+                if (deck.name.substr(0, deck.name.size() - 4) != group.name.substr(0, group.name.size() - 4))
+                    continue;
+                group.files.insert(group.files.end(), deck.files.begin(), deck.files.end());
+            }
+        }
+    }
+    return groups;
+}
+
 std::string joined(const std::vector<std::string>& words) {
     std::string out;
     for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
@@ -206,6 +221,8 @@ TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
     page += "## Nastran: decks\n\nEach with what it includes.\n\n";
     for (const char* ending : {".bdf", ".dat", ".fem"})
         page += table_of(decks_below(corpus, "nastran/models", ending), corpus, unsound);
+    page += "## Nastran: .f06\n\nEach with its deck.\n\n";
+    page += table_of(prints_below(corpus, "nastran/models"), corpus, unsound);
     page += "## Nastran: .op2\n\nEach alone, without its deck.\n\n";
     page += table_of(files_below(corpus, "nastran/models", ".op2"), corpus, unsound);
     page += "## Universal files\n\n";

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read/nastran/f06_pages.hpp"
+
+#include "base/number.hpp"
+#include "read/text_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace feelem::nastran {
+namespace {
+
+constexpr PrintedKind kPageKinds[]{
+    {"DISPLACEMENT VECTOR", "displacement", "rotation", {}},
+    {"EIGENVECTOR NO.", "displacement", "rotation", {}},
+    {"VELOCITY VECTOR", "velocity", "angular_velocity", "temperature_rate"},
+    {"ACCELERATION VECTOR", "acceleration", "angular_acceleration", {}},
+    {"TEMPERATURE VECTOR", "temperature", {}, "temperature"},
+    {"LOAD VECTOR", "applied_force", "applied_moment", "applied_heat_flow"},
+    {"FORCES OF SINGLE-POINT CONSTRAINT", "reaction_force", "reaction_moment", "reaction_heat_flow"},
+    {"FORCES OF MULTIPOINT CONSTRAINT", "mpc_force", "mpc_moment", "mpc_heat_flow"},
+};
+
+/// A row's start: its carriage control off, then a number and the letter of its kind.
+struct RowStart {
+    std::string_view number, rest;
+    char kind = 0;
+};
+std::optional<RowStart> row_start(std::string_view line) {
+    if (line.empty()) return {};
+    RowStart start;
+    start.rest = line.substr(1);
+    start.number = take_word(start.rest);
+    if (start.number.empty() || (start.number[0] > '9' || start.number[0] < '-')) return {};
+    const std::string_view kind = take_word(start.rest);
+    if (kind.size() != 1 || kind[0] < 'A' || kind[0] > 'Z') return {};
+    start.kind = kind[0];
+    return start;
+}
+
+/// Numbers and nothing else: the second line of a complex row.
+bool is_number_line(std::string_view line) {
+    std::string_view rest = line;
+    const std::string_view first = take_word(rest);
+    return line.starts_with("          ") && !first.empty() && first.find('.') != std::string_view::npos &&
+           parse_double(first).has_value();
+}
+
+std::optional<double> number_behind(std::string_view line, std::string_view key) {
+    const std::size_t at = line.find(key);
+    if (at == std::string_view::npos) return {};
+    std::string_view rest = line.substr(at + key.size());
+    std::string_view word = take_word(rest);
+    if (word.ends_with(',')) word.remove_suffix(1);
+    return parse_double(word);
+}
+
+}  // namespace
+
+bool is_page_head(std::string_view line) {
+    return line.starts_with('1') && line.find("NASTRAN") != std::string_view::npos &&
+           line.find("PAGE ") != std::string_view::npos;
+}
+
+std::string spaced_title(std::string_view line) {
+    std::string title;
+    std::size_t letters = 0, last_size = 0, last_end = 0;
+    for (std::size_t at = 0; at < line.size();) {
+        at = std::min(line.find_first_not_of(" \t", at), line.size());
+        const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
+        if (end == at) break;
+        const std::size_t size = end - at;
+        const bool joins = size == 1 && last_size == 1 && at - last_end == 1;
+        if (!title.empty() && !joins) title += ' ';
+        title += line.substr(at, size);
+        if (joins) ++letters;
+        last_size = size == 1 || (size == 2 && line[end - 1] == '.') ? 1 : size;
+        last_end = end;
+        at = end;
+    }
+    constexpr std::size_t kFewLetters = 6;
+    return letters >= kFewLetters ? title : std::string();
+}
+
+bool read_f06_row(
+    std::string_view text, std::size_t& at, std::size_t last, const PrintedRows& rows, PrintedRow& row
+) {
+    const auto line_from = [&](std::size_t from, std::size_t& next) {
+        const std::size_t end = std::min(text.find('\n', from), last);
+        next = std::min(end + 1, last);
+        return text.substr(from, end - from);
+    };
+    const auto add_numbers = [&](std::string_view rest) {
+        for (auto word = take_word(rest); !word.empty(); word = take_word(rest)) {
+            const auto value = parse_float(word);
+            if (!value || row.count == row.numbers.size()) break;
+            row.numbers[row.count++] = *value;
+        }
+    };
+    while (at < last) {
+        const auto start = row_start(line_from(at, at));
+        if (!start) continue;
+        const auto id = parse_integer(start->number);
+        const auto value = parse_double(start->number);
+        if (rows.node == 0 ? !id : !value) continue;
+        row.id = id.value_or(0);
+        row.step_value = value.value_or(0);
+        row.kind = start->kind;
+        row.count = 0;
+        row.numbers.fill(std::numeric_limits<float>::quiet_NaN());
+        add_numbers(start->rest);
+        std::size_t next = at;
+        if (at < last && !rows.packed && is_number_line(line_from(at, next))) {
+            // The other part of a complex row: of as many numbers, at its own place.
+            constexpr std::size_t kOtherPart = 6;
+            row.count = kOtherPart;
+            add_numbers(line_from(at, next));
+            at = next;
+        }
+        return true;
+    }
+    return false;
+}
+
+namespace {
+
+class PageScanner {
+public:
+    PageScanner(const Input& input, Diagnostics& diagnostics)
+        : input_(input), diagnostics_(diagnostics), lines_(input, 0, input.size()),
+          thermal_(input.text().find("T E M P E R A T U R E   V E C T O R") != std::string_view::npos) {}
+
+    PrintedTables scan() {
+        while (const auto line = lines_.next()) {
+            if (is_page_head(*line)) {
+                end_rows(lines_.line_start());
+                start_page(*line);
+            } else {
+                ++line_of_page_;
+                read_line(*line);
+            }
+        }
+        end_rows(input_.size());
+        return std::move(tables_);
+    }
+
+private:
+    void start_page(std::string_view line) {
+        line_of_page_ = 0;
+        head_ = {};
+        node_ = 0;
+        eigenvalue_.reset();
+        cycles_.reset();
+        step_ = {};
+        step_.subcase = 1;
+        value_ = 0;
+        in_eigenvalues_ = false;
+        texts_ = {};
+        // The title ends where the date begins, after a gap.
+        const std::string_view title = trim(line.substr(1));
+        texts_.title = title.substr(0, title.find("    "));
+        if (tables_.title.empty()) tables_.title = texts_.title;
+        for (const auto& [word, name] : kSolvers) {
+            if (line.find(word) != std::string_view::npos) tables_.solver.name = name;
+        }
+    }
+
+    void read_line(std::string_view line) {
+        if (line_of_page_ == 1) texts_.subtitle = trim(line.substr(std::min<std::size_t>(line.size(), 1)));
+        if (line_of_page_ == 2) read_label(line);
+        if (line_of_page_ <= 2 || line.size() < 8) return;
+        if (in_rows_ || has_columns_) {
+            if (read_row(line)) return;
+            if (in_rows_ && !trim(line).empty()) end_rows(lines_.line_start());
+        }
+        if (in_eigenvalues_ && read_eigenvalue(line)) return;
+        read_step(line);
+        if (const std::string title = spaced_title(line); !title.empty()) {
+            read_title(title);
+        } else if (head_.kind != nullptr) {
+            read_columns(line);
+        }
+    }
+
+    void read_label(std::string_view line) {
+        const std::size_t at = line.rfind("SUBCASE ");
+        if (at == std::string_view::npos || at < 40) {
+            texts_.label = trim(line.substr(std::min<std::size_t>(line.size(), 1)));
+            return;
+        }
+        std::string_view rest = line.substr(at + 8);
+        const auto subcase = take_integer(rest);
+        if (subcase && *subcase > 0 && *subcase < std::numeric_limits<std::int32_t>::max())
+            step_.subcase = static_cast<std::int32_t>(*subcase);
+        texts_.label = trim(line.substr(1, at - 1));
+    }
+
+    void read_step(std::string_view line) {
+        if (line.find("SOL 105") != std::string_view::npos ||
+            line.find("SOL SEBUCKL") != std::string_view::npos)
+            buckling_ = true;
+        if (line.find('=') == std::string_view::npos) return;
+        if (const auto cycles = number_behind(line, "CYCLES =")) cycles_ = cycles;
+        if (const auto eigenvalue = number_behind(line, "EIGENVALUE =")) {
+            eigenvalue_ = eigenvalue;
+            // COMPLEX EIGENVALUE = real, imaginary
+            const std::size_t comma = line.find(',');
+            if (comma != std::string_view::npos) {
+                if (const auto imaginary = number_behind(line, ","))
+                    cycles_ = *imaginary / (2 * std::numbers::pi);
+            }
+        } else if (const auto time = number_behind(line, "      TIME =")) {
+            set_value(StepKind::Time, *time);
+        } else if (const auto frequency = number_behind(line, "FREQUENCY =")) {
+            set_value(StepKind::Frequency, *frequency);
+        } else if (const auto load = number_behind(line, "LOAD STEP =")) {
+            set_value(StepKind::Static, *load);
+        } else if (const auto node = number_behind(line, "POINT-ID =")) {
+            node_ = *node > 0 && *node < 9e15 ? static_cast<std::int64_t>(*node) : 0;
+        }
+    }
+
+    void set_value(StepKind kind, double value) {
+        step_.kind = kind;
+        step_.value = std::isfinite(value) ? value : 0;
+        value_ = step_.value;
+    }
+
+    void read_title(const std::string& title) {
+        if (title.find("REAL EIGENVALUES") != std::string::npos) {
+            in_eigenvalues_ = true;
+            return;
+        }
+        const bool solution_set = title.find("SOLUTION SET") != std::string::npos;
+        for (const PrintedKind& kind : kPageKinds) {
+            const std::size_t at = title.find(kind.title);
+            if (at == std::string::npos || solution_set) continue;
+            head_ = {&kind, PrintedNumbers::Real, false};
+            if (kind.title.ends_with("NO."))
+                number_ = mode_number(std::string_view(title).substr(at + kind.title.size()));
+            read_form(title);
+            return;
+        }
+        head_ = {};
+        const bool has_values =
+            title.find("STRESSES IN") != std::string::npos || title.find("STRAINS IN") != std::string::npos ||
+            title.find("FORCES IN") != std::string::npos || title.find("GRID POINT") != std::string::npos ||
+            title.find("ENERGIES") != std::string::npos || solution_set;
+        if (has_values)
+            diagnostics_.add(
+                Code::UnknownBlock, [&] { return lines_.where(); }, fmt::format("{} is not used", title)
+            );
+    }
+
+    static std::optional<std::int64_t> mode_number(std::string_view rest) {
+        const auto number = take_integer(rest);
+        return number && *number > 0 ? number : std::nullopt;
+    }
+
+    void read_form(std::string_view line) {
+        if (line.find("(REAL/IMAGINARY)") != std::string_view::npos)
+            head_.numbers = PrintedNumbers::RealImaginary;
+        if (line.find("(MAGNITUDE/PHASE)") != std::string_view::npos)
+            head_.numbers = PrintedNumbers::MagnitudePhase;
+    }
+
+    void read_columns(std::string_view line) {
+        read_form(line);
+        std::string_view rest = line.substr(1);
+        const std::string_view first = take_word(rest);
+        const bool by_node = first == "POINT" && line.find("TYPE") != std::string_view::npos;
+        const bool by_step =
+            (first == "TIME" || first == "FREQUENCY") && line.find("TYPE") != std::string_view::npos;
+        if (!by_node && !by_step) return;
+        if (by_step) step_.kind = first == "TIME" ? StepKind::Time : StepKind::Frequency;
+        sorted_by_node_ = by_step;
+        packed_ = line.find("ID+1") != std::string_view::npos;
+        const bool one_number = packed_ || line.find("VALUE") != std::string_view::npos;
+        head_.is_scalar = head_.kind->rotation.empty() || (thermal_ && one_number);
+        has_columns_ = true;
+    }
+
+    bool read_row(std::string_view line) {
+        if (in_rows_ && is_number_line(line)) return true;
+        const auto start = row_start(line);
+        if (!start) return trim(line).empty();
+        if (sorted_by_node_) {
+            const auto value = parse_double(start->number);
+            if (!value || node_ == 0) return false;
+            // A complex row's second line belongs to it.
+            add_row_of_step(*value);
+            return true;
+        }
+        const auto id = parse_integer(start->number);
+        if (!id) return false;
+        if (!in_rows_) {
+            in_rows_ = true;
+            first_row_ = lines_.line_start();
+            find_mode(*id);
+        }
+        last_id_ = *id;
+        return true;
+    }
+
+    void add_row_of_step(double value) {
+        set_value(step_.kind, value);
+        std::size_t last = lines_.offset();
+        TextLines ahead(input_, last, input_.size());
+        if (const auto next = ahead.next(); next && is_number_line(*next)) last = ahead.offset();
+        tables_.at(head_, step_, value_, texts_).rows.push_back({lines_.line_start(), last, node_, false});
+    }
+
+    /// The mode of a page that tells its eigenvalue: equal ones come one after the other.
+    void find_mode(std::int64_t first_id) {
+        if (!eigenvalue_) return;
+        step_.kind = buckling_ ? StepKind::Buckling : StepKind::Mode;
+        Sequence& sequence = sequences_[{step_.subcase, head_.kind->title}];
+        const bool goes_on =
+            sequence.mode > 0 && sequence.eigenvalue == *eigenvalue_ && first_id > sequence.last_id;
+        if (number_) {
+            sequence.mode = *number_;
+        } else if (!goes_on) {
+            sequence.mode = next_mode(sequence.mode);
+        }
+        sequence.eigenvalue = *eigenvalue_;
+        open_sequence_ = &sequence;
+        step_.number = sequence.mode;
+        value_ = buckling_ ? *eigenvalue_
+                           : cycles_.value_or(std::sqrt(std::abs(*eigenvalue_)) / (2 * std::numbers::pi));
+    }
+
+    std::int64_t next_mode(std::int64_t previous) const {
+        for (const auto& [mode, eigenvalue] : eigenvalues_) {
+            if (mode > previous && eigenvalue == *eigenvalue_) return mode;
+        }
+        return previous + 1;
+    }
+
+    /// The table ends before `last`.
+    void end_rows(std::size_t last) {
+        if (in_rows_) {
+            tables_.at(head_, step_, value_, texts_).rows.push_back({first_row_, last, 0, packed_});
+            if (open_sequence_ != nullptr) open_sequence_->last_id = last_id_;
+        }
+        open_sequence_ = nullptr;
+        number_.reset();
+        in_rows_ = has_columns_ = sorted_by_node_ = packed_ = false;
+    }
+
+    /// MODE, EXTRACTION ORDER, EIGENVALUE, RADIANS, CYCLES ...
+    bool read_eigenvalue(std::string_view line) {
+        std::string_view rest = line.substr(1);
+        const auto mode = take_integer(rest);
+        const auto order = take_integer(rest);
+        const auto eigenvalue = parse_double(take_word(rest));
+        if (!mode || !order || !eigenvalue || *mode <= 0) return false;
+        eigenvalues_.emplace_back(*mode, *eigenvalue);
+        return true;
+    }
+
+    struct Sequence {
+        std::int64_t mode = 0;
+        double eigenvalue = 0;
+        std::int64_t last_id = 0;
+    };
+    static constexpr std::pair<std::string_view, const char*> kSolvers[]{
+        {"MSC.NASTRAN", "MSC Nastran"},
+        {"MSC NASTRAN", "MSC Nastran"},
+        {"NX NASTRAN", "NX Nastran"},
+        {"SIMCENTER NASTRAN", "Simcenter Nastran"},
+        {"AUTODESK NASTRAN", "Autodesk Nastran"},
+    };
+
+    const Input& input_;
+    Diagnostics& diagnostics_;
+    TextLines lines_;
+    PrintedTables tables_;
+    PrintedTables::Head head_;
+    op2::StepKey step_{1, StepKind::Static, 0, 0};
+    double value_ = 0;
+    op2::Texts texts_;
+    std::int64_t node_ = 0;
+    std::optional<double> eigenvalue_, cycles_;
+    std::optional<std::int64_t> number_;
+    std::map<std::pair<std::int32_t, std::string_view>, Sequence> sequences_;
+    Sequence* open_sequence_ = nullptr;
+    std::vector<std::pair<std::int64_t, double>> eigenvalues_;
+    std::size_t line_of_page_ = 0;
+    std::size_t first_row_ = 0;
+    std::int64_t last_id_ = 0;
+    bool in_rows_ = false, has_columns_ = false, sorted_by_node_ = false, packed_ = false;
+    bool in_eigenvalues_ = false, buckling_ = false;
+    bool thermal_;  ///< Tables of one number are heat flows.
+};
+
+}  // namespace
+
+PrintedTables find_pages(const Input& input, Diagnostics& diagnostics) {
+    return PageScanner(input, diagnostics).scan();
+}
+
+}  // namespace feelem::nastran
