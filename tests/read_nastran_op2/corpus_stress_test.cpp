@@ -130,5 +130,39 @@ TEST(NastranOp2, tensors_of_solids_have_the_von_mises_stress_that_the_file_gives
     EXPECT_GT(rows, 1000U);
 }
 
+/// The plain law of elasticity between the strain and the stress of one row, with the deck's constants.
+void expect_elastic(const float* stress, const float* strain, double largest) {
+    constexpr double kModulus = 2.9e7, kRatio = 0.32;
+    const double shear = kModulus / (2 * (1 + kRatio));
+    const double lame = kModulus * kRatio / ((1 + kRatio) * (1 - 2 * kRatio));
+    const double trace = double(strain[0]) + strain[1] + strain[2];
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(stress[c], lame * trace + 2 * shear * strain[c], 1e-3 * largest);
+    for (int c = 3; c < 6; ++c) EXPECT_NEAR(stress[c], shear * strain[c], 1e-3 * largest);
+}
+
+TEST(NastranOp2, complex_stresses_and_strains_of_solids_obey_the_law_of_elasticity) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    Diagnostics diagnostics;
+    const auto model = open_corpus("models/sol_101_elements/freq_solid_shell_bar.op2", diagnostics);
+    const auto infos = model->results();
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        if (infos[i].name != "stress" || infos[i].shape != Shape::SymmetricTensor) continue;
+        for (std::size_t j = 0; j < infos.size(); ++j) {
+            if (infos[j].name != "strain" || infos[j].shape != infos[i].shape ||
+                infos[j].step != infos[i].step || infos[j].complex != infos[i].complex)
+                continue;
+            const Result stress = model->load(i), strain = model->load(j);
+            ASSERT_EQ(stress.row_node, strain.row_node);
+            double largest = 0;
+            for (const float value : stress.values) largest = std::fmax(largest, std::abs(double(value)));
+            for (std::size_t row = 0; row < stress.row_count(); ++row)
+                expect_elastic(&stress.values[row * 6], &strain.values[row * 6], largest);
+            ++pairs;
+        }
+    }
+    EXPECT_EQ(pairs, 14U);  // Seven frequencies, real and imaginary.
+}
+
 }  // namespace
 }  // namespace feelem

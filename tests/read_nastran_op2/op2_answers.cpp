@@ -10,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace feelem::test {
 namespace {
@@ -25,23 +24,15 @@ std::string without_nan(std::string text) {
     return text;
 }
 
-/// "1" or "(1, 6, 2, 0, 0, '', '')": subcase, approach, sorting.
-void read_key(const std::string& key, Op2Answer& answer) {
-    if (!key.starts_with('(')) {
-        answer.subcase = std::stoi(key);
-        return;
-    }
-    std::istringstream text(key.substr(1));
-    char comma = ',';
-    int approach = 0, sorting = 0;
-    text >> answer.subcase >> comma >> approach >> comma >> sorting;
-    answer.sort2 = sorting == 2;
+/// "1" or "(1, 6, 2, 0, 0, '', '')": the subcase comes first; 2 in third place says sorted by node.
+std::int32_t subcase_of(const std::string& key) {
+    return std::stoi(key.substr(key.starts_with('(') ? 1 : 0));
 }
 
 Op2Answer read_answer(const std::string& result, const std::string& key, const json& all) {
     Op2Answer answer;
     answer.result = result;
-    read_key(key, answer);
+    answer.subcase = subcase_of(key);
     answer.step_count = all["shape"][0];
     answer.node_count = all["shape"][1];
     answer.component_count = all["shape"][2];
@@ -78,11 +69,8 @@ Columns load_columns(ModelSource& model, const Op2Answer& answer, const std::str
     const auto infos = model.results();
     for (std::size_t i = 0; i < infos.size(); ++i) {
         const Step& step = model.steps()[infos[i].step];
-        const bool named = infos[i].name == name || infos[i].name.starts_with(name + "_oug");
-        if (!named || step.step != answer.subcase || is_modal(step.kind) != kNames.at(answer.result).modal)
-            continue;
-        if (answer.sort2 != infos[i].solver_name.ends_with('2') && answer.result != "displacements" &&
-            answer.result != "eigenvectors")
+        if (infos[i].name != name || step.step != answer.subcase ||
+            is_modal(step.kind) != kNames.at(answer.result).modal)
             continue;
         columns[infos[i].step].push_back(model.load(i));
     }

@@ -14,7 +14,6 @@ namespace feelem::test {
 struct Op2Answer {
     std::string result;  ///< displacements eigenvectors temperatures velocities
     std::int32_t subcase = 1;
-    bool sort2 = false;
     std::size_t step_count = 0, node_count = 0, component_count = 0;
     double max_abs_component = 0, max_translation = 0;
     std::int64_t grid_of_max = 0;

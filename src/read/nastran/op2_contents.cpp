@@ -49,7 +49,9 @@ public:
         for (const Table& table : layout_.tables) {
             if (is_result_table(table)) list_table(table);
         }
+        read_frequencies();
         contents_.steps = steps_.finish();
+        leave_out_twins();
         for (const NodalBlock& block : contents_.nodal) {
             const auto kind = nodal_kind(block.ident);
             if (kind) list_nodal(block, *kind);
@@ -59,6 +61,20 @@ public:
     }
 
 private:
+    /// LAMA: mode, order, eigenvalue, radians and cycles a second, mass, stiffness. For modes of tables that
+    /// are sorted by node.
+    void read_frequencies() {
+        constexpr std::size_t kModeWords = 7;
+        for (const Table& table : layout_.tables) {
+            if (table.name != "LAMA" || table.last_record < table.first_record + 2) continue;
+            if (layout_.record_bytes(table.first_record + 1) % (kModeWords * layout_.form.size) != 0)
+                continue;
+            for_each_row(input_, layout_, table.first_record + 1, kModeWords, [&](const Words& row) {
+                steps_.set_frequency(row.integer(0), row.real(4));
+            });
+        }
+    }
+
     /// Idents and data take turns; a block without data has its ident alone.
     void list_table(const Table& table) {
         by_node_.clear();
@@ -141,6 +157,25 @@ private:
         }
     }
 
+    /// Heat transfer runs list everything twice, by step and by node: the first way is quicker to read.
+    void leave_out_twins() {
+        const auto key = [](const NodalBlock& block) {
+            return std::tuple(block.ident.table_code, block.ident.row_words, block.is_basic(), block.step);
+        };
+        std::map<decltype(key(NodalBlock{})), std::uint64_t> rows;
+        for (const NodalBlock& block : contents_.nodal) {
+            if (!block.ident.sort2) rows[key(block)] = row_count(layout_, block);
+        }
+        const auto is_twin = [&](const NodalBlock& block) {
+            const auto found = rows.find(key(block));
+            const bool twin =
+                block.ident.sort2 && found != rows.end() && found->second == row_count(layout_, block);
+            if (twin) report_unused(block.table + " lists by node what another table lists by step");
+            return twin;
+        };
+        std::erase_if(contents_.nodal, is_twin);
+    }
+
     void collect_elements(
         const Table& table, const Ident& ident, const Words& ident_words, std::size_t record
     ) {
@@ -152,6 +187,8 @@ private:
         const auto bits = ident.stress_bits;
         ElementGroup& group = groups_.try_emplace({table.name, step, bits, layout->shape}).first->second;
         group.kind = *stress_kind(ident);
+        constexpr int kMagnitudeAndPhase = 3;
+        group.polar = ident.format == kMagnitudeAndPhase;
         group.blocks.push_back({layout, record});
     }
 
@@ -170,21 +207,23 @@ private:
         for (const auto& [key, group] : groups_) {
             if (group.blocks.empty()) continue;
             const RowShape shape = std::get<RowShape>(key);
-            const bool is_shell = shape == RowShape::ShellCorner || shape == RowShape::ShellCentre;
+            const bool has_two = shape != RowShape::Solid && shape != RowShape::Bar;
             ElementResult result{
                 std::get<StepKey>(key),
                 quantity_of(shape),
                 group.kind,
+                group.polar,
                 0,
                 std::get<std::string>(key),
                 group.blocks};
-            for (result.fibre = 0; result.fibre < (is_shell ? 2 : 1); ++result.fibre) list_element(result);
+            for (result.fibre = 0; result.fibre < (has_two ? 2 : 1); ++result.fibre) list_element(result);
         }
     }
 
     static Quantity quantity_of(RowShape shape) {
         switch (shape) {
         case RowShape::Solid: return Quantity::SolidCorner;
+        case RowShape::SolidComplex: return Quantity::SolidComplex;
         case RowShape::ShellCorner: return Quantity::ShellCorner;
         case RowShape::ShellCentre: return Quantity::ShellCentre;
         default: return Quantity::Axial;
@@ -260,6 +299,7 @@ private:
     std::set<std::tuple<std::uint32_t, Complex, Layer, std::string>> names_;
     struct ElementGroup {
         StressKind kind;
+        bool polar = false;
         std::vector<ElementBlockRef> blocks;
     };
     std::map<std::tuple<std::string, StepKey, int, RowShape>, ElementGroup> groups_;

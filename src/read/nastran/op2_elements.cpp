@@ -25,37 +25,52 @@ constexpr std::size_t kShellPoint = 17;
 constexpr std::size_t kFibreWords = 8;
 
 constexpr ElementLayout solid(int type, std::size_t corners) {
-    return {type, RowShape::Solid, corners, kSolidHead + kSolidPoint * (corners + 1)};
+    return {type, RowShape::Solid, corners, kSolidHead + kSolidPoint * (corners + 1), kSolidPoint};
+}
+/// 13 words a point, or 14 with a von Mises amplitude.
+constexpr ElementLayout complex_solid(int type, std::size_t corners, std::size_t point) {
+    return {type, RowShape::SolidComplex, corners, kSolidHead + point * (corners + 1), point};
 }
 constexpr ElementLayout shell(int type, std::size_t corners) {
-    return {type, RowShape::ShellCorner, corners, kShellHead + kShellPoint * (corners + 1)};
+    return {type, RowShape::ShellCorner, corners, kShellHead + kShellPoint * (corners + 1), kShellPoint};
 }
 constexpr ElementLayout centre(int type) {
-    return {type, RowShape::ShellCentre, 0, kShellPoint};
+    return {type, RowShape::ShellCentre, 0, kShellPoint, kShellPoint};
 }
 
 constexpr std::array kLayouts{
-    ElementLayout{1, RowShape::Bar, 1, 5},    // CROD
-    ElementLayout{3, RowShape::Bar, 1, 5},    // CTUBE
-    ElementLayout{10, RowShape::Bar, 1, 5},   // CONROD
-    ElementLayout{34, RowShape::Bar, 5, 16},  // CBAR
-    solid(39, 4),                             // CTETRA
-    solid(67, 8),                             // CHEXA
-    solid(68, 6),                             // CPENTA
-    solid(255, 5),                            // CPYRAM
-    centre(33),                               // CQUAD4
-    centre(74),                               // CTRIA3
-    centre(227),                              // CTRIAR
-    centre(228),                              // CQUADR
-    shell(64, 4),                             // CQUAD8
-    shell(70, 3),                             // CTRIAR
-    shell(75, 3),                             // CTRIA6
-    shell(82, 4),                             // CQUADR
-    shell(144, 4),                            // CQUAD4
+    ElementLayout{1, RowShape::Bar, 1, 5, 0},    // CROD
+    ElementLayout{3, RowShape::Bar, 1, 5, 0},    // CTUBE
+    ElementLayout{10, RowShape::Bar, 1, 5, 0},   // CONROD
+    ElementLayout{34, RowShape::Bar, 5, 16, 0},  // CBAR
+    solid(39, 4),                                // CTETRA
+    solid(67, 8),                                // CHEXA
+    solid(68, 6),                                // CPENTA
+    solid(255, 5),                               // CPYRAM
+    complex_solid(39, 4, 13),
+    complex_solid(39, 4, 14),
+    complex_solid(67, 8, 13),
+    complex_solid(67, 8, 14),
+    complex_solid(68, 6, 13),
+    complex_solid(68, 6, 14),
+    complex_solid(255, 5, 13),
+    complex_solid(255, 5, 14),
+    centre(33),     // CQUAD4
+    centre(74),     // CTRIA3
+    centre(227),    // CTRIAR
+    centre(228),    // CQUADR
+    shell(64, 4),   // CQUAD8
+    shell(70, 3),   // CTRIAR
+    shell(75, 3),   // CTRIA6
+    shell(82, 4),   // CQUADR
+    shell(144, 4),  // CQUAD4
 };
 
 /// Words of xx yy zz xy yz zx and the equivalent value after the point's grid.
 constexpr std::array<std::size_t, 7> kSolidColumns{1, 9, 15, 2, 10, 16, 8};
+/// Words of xx yy zz xy yz zx after the point's grid: of one part, and of the other.
+constexpr std::array<std::array<std::size_t, 6>, 2> kComplexColumns{
+    {{1, 2, 3, 4, 5, 6}, {7, 8, 9, 10, 11, 12}}};
 /// Words of the equivalent value and the larger and smaller principal one after the fibre's distance.
 constexpr std::array<std::size_t, 3> kShellColumns{7, 5, 6};
 
@@ -73,6 +88,7 @@ public:
             return;
         }
         switch (layout.shape) {
+        case RowShape::SolidComplex:
         case RowShape::Solid: read_solid(row, layout, element); break;
         case RowShape::ShellCorner: read_shell(row, layout, element); break;
         case RowShape::ShellCentre: read_centre(row, element); break;
@@ -92,6 +108,7 @@ private:
     std::size_t width() const {
         switch (result_.quantity) {
         case Quantity::SolidCorner: return kSolidColumns.size();
+        case Quantity::SolidComplex: return kComplexColumns[0].size();
         case Quantity::Axial: return 1;
         default: return kShellColumns.size();
         }
@@ -126,11 +143,15 @@ private:
         const bool is_basic = row.integer(1) == 0;
         if (!is_basic) ++values_.other_system;
         for (std::size_t i = 1; i <= layout.corners; ++i) {
-            const Words point = row.part(kSolidHead + i * kSolidPoint, kSolidPoint);
+            const Words point = row.part(kSolidHead + i * layout.point_words, layout.point_words);
             const NodeIndex node = corner(point.integer(0), element);
             if (node == kNoNode) continue;
             float* out = add_row(element, node);
-            put(point, kSolidColumns, out);
+            if (layout.shape == RowShape::Solid) {
+                put(point, kSolidColumns, out);
+            } else {
+                put(point, kComplexColumns[result_.fibre == 0 ? 0 : 1], out);
+            }
             if (!is_basic) std::fill(out, out + 6, kMissing);
         }
     }
@@ -193,12 +214,11 @@ private:
 }  // namespace
 
 const ElementLayout* element_layout(const Ident& ident) {
-    constexpr int kReal = 1;
-    const bool plain = ident.table_code == kStressCode && ident.format == kReal && !ident.sort2 &&
-                       !ident.random && !ident.is_complex;
+    const bool plain = ident.table_code == kStressCode && !ident.sort2 && !ident.random;
     if (!plain || !stress_kind(ident)) return nullptr;
     const auto found = std::ranges::find_if(kLayouts, [&](const ElementLayout& layout) {
-        return layout.type == ident.element_type && layout.row_words == ident.row_words;
+        return layout.type == ident.element_type && layout.row_words == ident.row_words &&
+               (layout.shape == RowShape::SolidComplex) == ident.is_complex;
     });
     return found == kLayouts.end() ? nullptr : &*found;
 }
@@ -237,22 +257,20 @@ ElementValues read_elements(
     const ElementLookup& lookup
 ) {
     ValueReader reader(result, mesh, lookup);
-    std::vector<std::byte> scratch;
     for (const ElementBlockRef& block : result.blocks) {
-        const Words words = record_words(input, layout, block.record, scratch);
+        const std::size_t words = layout.record_bytes(block.record) / layout.form.size;
         const std::size_t width = block.layout->row_words;
-        if (words.count() % width != 0) {
+        if (words % width != 0) {
             const auto segments = layout.record(block.record);
             throw Error(
                 Code::BadStructure,
                 input.where_byte(segments.empty() ? 0 : segments.front().first),
-                fmt::format(
-                    "{} has {} words of data where each element needs {}", result.table, words.count(), width
-                )
+                fmt::format("{} has {} words of data where each element needs {}", result.table, words, width)
             );
         }
-        for (std::size_t at = 0; at < words.count(); at += width)
-            reader.read(words.part(at, width), *block.layout);
+        for_each_row(input, layout, block.record, width, [&](const Words& row) {
+            reader.read(row, *block.layout);
+        });
     }
     return reader.finish();
 }
@@ -268,6 +286,12 @@ ResultInfo element_info(const ElementResult& result) {
         info.shape = Shape::SymmetricTensor;
         info.components = {"xx", "yy", "zz", "xy", "yz", "zx"};
         info.components.emplace_back(kind.von_mises ? "von_mises" : "octahedral_shear");
+        break;
+    case Quantity::SolidComplex:
+        info.shape = Shape::SymmetricTensor;
+        info.components = {"xx", "yy", "zz", "xy", "yz", "zx"};
+        info.complex = result.fibre == 0 ? (result.polar ? Complex::Amplitude : Complex::Real)
+                                         : (result.polar ? Complex::Phase : Complex::Imaginary);
         break;
     case Quantity::Axial: info.components = {"value"}; break;
     default:

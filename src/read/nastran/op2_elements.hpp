@@ -22,10 +22,11 @@ namespace feelem::op2 {
 
 /// How a block's rows look.
 enum class RowShape : std::uint8_t {
-    Solid,        ///< Centre and corners, a tensor each.
-    ShellCorner,  ///< Centre and corners, two fibres each.
-    ShellCentre,  ///< Centre only, two fibres.
-    Bar,          ///< One axial number at a place.
+    Solid,         ///< Centre and corners, a tensor each.
+    SolidComplex,  ///< Two tensors each.
+    ShellCorner,   ///< Centre and corners, two fibres each.
+    ShellCentre,   ///< Centre only, two fibres.
+    Bar,           ///< One axial number at a place.
 };
 
 /// What is listed of a kind of element.
@@ -34,6 +35,7 @@ struct ElementLayout {
     RowShape shape = RowShape::Solid;
     std::size_t corners = 0;  ///< Bars: the word of the axial number.
     std::size_t row_words = 0;
+    std::size_t point_words = 0;  ///< Of a centre or corner.
 };
 /// Nothing when the block holds no stresses or strains that Feelem knows.
 const ElementLayout* element_layout(const Ident& ident);
@@ -41,6 +43,7 @@ const ElementLayout* element_layout(const Ident& ident);
 /// What becomes one result: elements of several types together.
 enum class Quantity : std::uint8_t {
     SolidCorner,
+    SolidComplex,
     ShellCorner,
     ShellCentre,
     Axial
@@ -63,6 +66,8 @@ struct ElementResult {
     StepKey step;
     Quantity quantity = Quantity::SolidCorner;
     StressKind kind;
+    bool polar = false;  ///< Complex: amplitude and phase.
+    /// Complex: 0 the real part or amplitude, 1 the other.
     int fibre = 0;  ///< Shells: 0 the lower one (middle), 1 the upper one (curvature).
     std::string table;
     std::vector<ElementBlockRef> blocks;

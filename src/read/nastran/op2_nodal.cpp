@@ -42,16 +42,18 @@ public:
     void rows(const Each& each) {
         const std::size_t width = block_.row_words();
         for (std::size_t i = 0; i < block_.records.size(); ++i) {
-            const Words words = record_words(input_, layout_, block_.records[i], scratch_);
-            if (words.count() % width != 0) bad_length(i, words.count());
+            const std::size_t record = block_.records[i];
+            const std::size_t words = layout_.record_bytes(record) / layout_.form.size;
+            if (words % width != 0) bad_length(i, words);
             if (block_.nodes.empty()) {
-                for (std::size_t at = 0; at < words.count(); at += width) {
-                    const Words row = words.part(at, width);
+                for_each_row(input_, layout_, record, width, [&](const Words& row) {
                     each(NodeId{row.integer(0) / 10}, row);
-                }
-            } else if (const auto at = row_of_step(words, width)) {
-                each(NodeId{block_.nodes[i]}, words.part(*at, width));
+                });
+                continue;
             }
+            const Words rows_of_node = record_words(input_, layout_, record, scratch_);
+            if (const auto at = row_of_step(rows_of_node, width))
+                each(NodeId{block_.nodes[i]}, rows_of_node.part(*at, width));
         }
     }
 

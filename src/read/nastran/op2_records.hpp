@@ -6,6 +6,7 @@
 
 #include "feelem/diagnostics.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -87,5 +88,30 @@ Words record_head(
     std::size_t words,
     std::vector<std::byte>& scratch
 );
+
+/// Calls each(Words) for every `width` words of a record, in place where a row is not cut by the end of a
+/// segment, and lets go of the bytes behind. What does not fill a row at the end is left out.
+template <class Each>
+void for_each_row(
+    const Input& input, const Layout& layout, std::size_t record, std::size_t width, const Each& each
+) {
+    const std::size_t row_bytes = width * layout.form.size;
+    std::vector<std::byte> cut;
+    for (const Segment& segment : layout.record(record)) {
+        std::span<const std::byte> rest = input.bytes().subspan(segment.first, segment.bytes);
+        if (!cut.empty()) {
+            const std::size_t missing = std::min(row_bytes - cut.size(), rest.size());
+            cut.insert(cut.end(), rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(missing));
+            rest = rest.subspan(missing);
+            if (cut.size() < row_bytes) continue;
+            each(Words(cut, layout.form));
+            cut.clear();
+        }
+        for (; rest.size() >= row_bytes; rest = rest.subspan(row_bytes))
+            each(Words(rest.first(row_bytes), layout.form));
+        cut.assign(rest.begin(), rest.end());
+        input.release(segment.first, segment.first + segment.bytes);
+    }
+}
 
 }  // namespace feelem::op2

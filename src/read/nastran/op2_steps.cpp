@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -28,6 +29,13 @@ void StepList::add(const StepKey& key, double value, const Texts& texts) {
     if (is_new) entry->second.label = label_of(key, texts);
     // Tables that are sorted by node know a mode's number alone.
     if (is_new || entry->second.value == 0) entry->second.value = value;
+}
+
+void StepList::set_frequency(std::int64_t mode, double hertz) {
+    for (auto& [key, entry] : entries_) {
+        const bool is_it = key.kind == StepKind::Mode && key.number == mode;
+        if (is_it && entry.value == 0 && std::isfinite(hertz)) entry.value = hertz;
+    }
 }
 
 std::vector<Step> StepList::finish() {

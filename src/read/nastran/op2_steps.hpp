@@ -17,6 +17,9 @@ class StepList {
 public:
     void add(const StepKey& key, double value, const Texts& texts);
 
+    /// Of a mode that no added step has a value for.
+    void set_frequency(std::int64_t mode, double hertz);
+
     /// Step::step is the subcase; substep the mode, or a count by ascending time, frequency or load factor.
     /// A subcase's one static step beside its modes is substep 0.
     std::vector<Step> finish();
