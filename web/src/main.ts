@@ -14,7 +14,7 @@ async function start(): Promise<void> {
   const page = new Page(host);
   try {
     const sceneUrl = query.get("scene") ?? "scene.glb";
-    const options = { sceneUrl, antialias: query.get("antialias") !== "0" };
+    const options = { sceneUrl, antialias: query.get("antialias") !== "0", openFile: () => undefined };
     app = new App(page, await fetchScene(sceneUrl), options);
     await app.start();
   } catch (error) {

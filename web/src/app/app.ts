@@ -29,6 +29,8 @@ import { VrEntry } from "./vr-entry";
 export interface AppOptions {
   readonly sceneUrl: string;
   readonly antialias: boolean;
+  /** Asks for a file and opens it. */
+  readonly openFile: () => void;
 }
 
 export class App implements ApiSource {
@@ -47,10 +49,12 @@ export class App implements ApiSource {
   readonly #pageView: PageView;
   readonly #vr: VrEntry;
   readonly #removals: (() => void)[] = [];
+  readonly #options: AppOptions;
   #stale = true;
 
   constructor(page: Page, scene: SceneData, options: AppOptions) {
     this.#page = page;
+    this.#options = options;
     this.stage = new Stage(page.stageHost, { antialias: options.antialias });
     this.store = new Store(firstState(scene));
     this.view = new ModelView(scene, this.store, () => this.#reshown());
@@ -91,6 +95,18 @@ export class App implements ApiSource {
 
   enterVr(): Promise<void> {
     return this.#vr.enter();
+  }
+
+  /** A feature by its id; the list of features holds it. */
+  feature<T extends Feature>(id: string): T {
+    const found = this.features.find((f) => f.id === id);
+    if (!found) throw new Error(`there is no feature '${id}'`);
+    return found as T;
+  }
+
+  /** Asks the person for a scene or a presentation. */
+  openFile(): void {
+    this.#options.openFile();
   }
 
   extras() {

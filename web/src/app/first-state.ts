@@ -57,6 +57,8 @@ export function firstState(scene: SceneData): ViewState {
       scene.gaps.length > 0 ? `The scene has lost ${scene.gaps.join(", ")}: they cannot be shown.` : null,
     notice: "",
     loading: false,
+    pins: [],
+    ruler: [],
     cuts: [],
     ghost: deformation?.ghost === "featureEdges" && triangles < GHOST_UP_TO,
     speed: 1,

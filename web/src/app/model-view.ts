@@ -115,6 +115,13 @@ export class ModelView {
     return { re: factor * Math.cos(this.#angle), im };
   }
 
+  /** Displacement of a vertex at this step, model units; null without one. */
+  displacementAt(part: number, vertex: number): readonly [number, number, number] | null {
+    const vectors = this.#displacements[part];
+    if (!vectors || vertex < 0) return null;
+    return [vectors[3 * vertex] ?? 0, vectors[3 * vertex + 1] ?? 0, vectors[3 * vertex + 2] ?? 0];
+  }
+
   applyGhost(): void {
     this.model.setGhost(this.#store.state.ghost && this.factor !== 0);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The presentation as the page edits it: the JSON document itself, so that unknown keys survive. No DOM.
 import type { ColourEffect, PitchEffect, PulseEffect, Rgb, TickEffect, ValueRange } from "../present";
-import type { FeelemExtras, SceneResult } from "../scene";
+import { differenceResult, type FeelemExtras, type SceneResult } from "../scene";
 
 /** What a result can drive; each has room for one. */
 export const SLOTS = ["colour", "pitch", "ticks", "pulses", "shape"] as const;
@@ -110,6 +110,15 @@ export function findResult(
   return found;
 }
 
+/** A result minus itself at a step, as an entry's `difference` words it; other viewers know no such name. */
+function findDifference(extras: FeelemExtras, difference: Json, component: string, wanted: Variant) {
+  const found = findResult(extras, text(difference.name), component, wanted);
+  const step = extras.steps.find((s) => s.id === difference.minusStep);
+  if (!found || !step) return null;
+  const stepName = step.name?.trim() || `step ${(step.number ?? [step.id]).join(".")}`;
+  return { result: differenceResult(found.result, step.id, stepName), index: found.index };
+}
+
 function labelOf(name: string, component: string, result: SceneResult | null): string {
   if (result?.components.length === 1) return result.name;
   const spelled = (result?.name ?? name).replace(/_/g, " ");
@@ -121,7 +130,9 @@ export function presentedOf(doc: PresentationDoc, extras: FeelemExtras): Present
     const name = text(entry.name);
     const component = text(entry.component, "value");
     const wanted = { averaging: text(entry.averaging), layer: text(entry.layer) };
-    const found = findResult(extras, name, component, wanted);
+    const found = isObject(entry.difference)
+      ? findDifference(extras, entry.difference, component, wanted)
+      : findResult(extras, name, component, wanted);
     const range = isObject(entry.range) ? entry.range : {};
     const limit = isObject(entry.limit) ? entry.limit : {};
     return {
@@ -349,6 +360,32 @@ export function addResult(
     range: { mode: "auto", lo: null, hi: null, scale: "lin" },
   };
   return { doc: { ...doc, results: [...list(doc, "results"), entry] }, key };
+}
+
+/** Adds a shown result minus itself at a step; gives its key. Null when there is no such result. */
+export function addDifference(
+  doc: PresentationDoc,
+  extras: FeelemExtras,
+  key: string,
+  step: number,
+): { doc: PresentationDoc; key: string } | null {
+  const of = presentedOf(doc, extras).find((p) => p.key === key);
+  if (!of?.result) return null;
+  const added = `${key}_minus_${step}`;
+  const taken = list(doc, "results").some((entry) => text(entry.key) === added);
+  const entry = {
+    key: added,
+    name: `${of.name} minus step ${step}`,
+    component: of.component,
+    location: of.result.location,
+    // Of the same averaging and layer as what it is the difference of.
+    ...(of.result.averaging ? { averaging: of.result.averaging } : {}),
+    ...(of.result.layer ? { layer: of.result.layer } : {}),
+    unit: of.unit ?? "",
+    range: { mode: "auto", lo: null, hi: null, scale: "signed" },
+    difference: { name: of.name, minusStep: step },
+  };
+  return { doc: taken ? doc : { ...doc, results: [...list(doc, "results"), entry] }, key: added };
 }
 
 /** Every scalar the scene offers that the presentation does not show. */

@@ -32,9 +32,20 @@ export interface ViewState {
   readonly hot: HotOptions;
   readonly cuts: readonly CutState[];
   /** The undeformed shape as lines. */
+  readonly pins: readonly PinState[];
+  /** Node ids: none, where it starts, or both ends. */
+  readonly ruler: readonly number[];
   readonly ghost: boolean;
   /** Of playing; 1: as usual. */
   readonly speed: number;
+}
+
+/** A note at a node. */
+export interface PinState {
+  readonly id: number;
+  /** Solver's id. */
+  readonly node: number;
+  readonly note: string;
 }
 
 /** A plane that cuts the model, in the coordinates of the solver; the side its normal points to is gone. */

@@ -36,3 +36,9 @@ export function placeOfVertex(parts: readonly ScenePart[], part: number, vertex:
   const i = parts[part]?.indices.indexOf(vertex) ?? -1;
   return i < 0 ? null : { part, triangle: Math.floor(i / 3), weights: CORNERS[i % 3] ?? CORNERS[0] };
 }
+
+/** The vertex of largest weight at a place. */
+export function placeVertex(parts: readonly ScenePart[], place: Place): number {
+  const k = place.weights.indexOf(Math.max(...place.weights));
+  return parts[place.part]?.indices[3 * place.triangle + k] ?? -1;
+}

@@ -6,4 +6,5 @@ export { ModelObject } from "./model-object";
 export { Orbit } from "./orbit";
 export { makePalette, type Palette, texelOf } from "./palette";
 export type { PartLook } from "./part-table";
+export { RulerLine } from "./ruler-line";
 export { Stage } from "./stage";

@@ -78,6 +78,11 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
+  /** Draws now, so that the canvas can be read. */
+  draw(): void {
+    this.renderer.render(this.scene, this.camera);
+  }
+
   /** Ray through a point of the canvas, CSS pixels from its upper left corner. */
   rayThrough(x: number, y: number, target: Ray): Ray {
     const { width, height } = this.canvas.getBoundingClientRect();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene bytes -> SceneData: typed arrays with solver ids, results on demand. No three.js, no DOM.
-import { FieldCache } from "./field-cache";
+import { differenceField } from "./difference";
+import { FieldCache, type FieldList } from "./field-cache";
 import {
   AccessorReader,
   type FetchSide,
@@ -256,7 +257,17 @@ export async function openScene(bytes: ArrayBuffer, fetchSide: FetchSide): Promi
     if (part) part.edges = await opener.edges(item);
   }
   const cache = new FieldCache(FIELD_ROOM);
-  const loadField = (result: SceneResult, step: number) => {
+  const loadField = (result: SceneResult, step: number): Promise<FieldList> => {
+    const { minus } = result;
+    if (minus) {
+      return cache.get(`${result.id}\n${step}`, async () => {
+        const [one, two] = await Promise.all([
+          loadField(minus.result, step),
+          loadField(minus.result, minus.step),
+        ]);
+        return parts.map((_, i) => differenceField(one[i] ?? null, two[i] ?? null));
+      });
+    }
     const entry = result.values.find((v) => v.step === step);
     if (!entry) return Promise.resolve(parts.map(() => null));
     return cache.get(`${result.id}\n${step}`, () =>

@@ -42,6 +42,8 @@ export interface SceneResult {
   /** Of complex results: which part this is. */
   readonly complex?: false | "real" | "imaginary" | "amplitude" | "phase";
   readonly values: readonly ResultValues[];
+  /** Made by the page: this result minus itself at a step. */
+  readonly minus?: { readonly result: SceneResult; readonly step: number };
 }
 
 export interface SceneStep {

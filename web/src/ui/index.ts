@@ -10,6 +10,15 @@ export type { IconName } from "./icons";
 export { type LegendModel, legendTemplate, paintLegend } from "./legend";
 export { type LimitChange, type LimitRow, limitListTemplate } from "./limit-list";
 export { type Marker, markersTemplate } from "./markers";
+export {
+  type DifferenceModel,
+  differenceTemplate,
+  type NoteActions,
+  type NoteRow,
+  notesTemplate,
+  type SaveModel,
+  saveTemplate,
+} from "./note-list";
 export { type PartListActions, type PartRow, partListTemplate } from "./part-list";
 export { type CardModel, type CardRow, cardSentence, cardTemplate } from "./probe-card";
 export { COLUMNS, resultTableTemplate, type TableModel } from "./result-table";

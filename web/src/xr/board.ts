@@ -82,7 +82,7 @@ export class Board {
 }
 
 export function roundRect(
-  context: CanvasRenderingContext2D,
+  context: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D,
   rect: BoardRect,
   radius: number,
   fill: string,

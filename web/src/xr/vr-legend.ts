@@ -13,17 +13,20 @@ import {
 } from "../ui";
 import { BOARD_FONT, BOARD_COLOURS as C, roundRect } from "./board";
 
+/** A canvas of the page, or one beside it. */
+type Drawing = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+
 export const LEGEND_SIZE = { width: 460, height: 860 } as const;
 export const CARD_SIZE = { width: 760, height: 380 } as const;
 
-function font(context: CanvasRenderingContext2D, size: number, weight = 400): void {
+function font(context: Drawing, size: number, weight = 400): void {
   context.font = `${weight} ${size}px ${BOARD_FONT}`;
   context.textBaseline = "middle";
   context.textAlign = "left";
 }
 
 function paintBar(
-  context: CanvasRenderingContext2D,
+  context: Drawing,
   palette: Palette,
   x: number,
   y: number,
@@ -38,7 +41,7 @@ function paintBar(
   }
 }
 
-export function paintVrLegend(context: CanvasRenderingContext2D, model: LegendModel | null): void {
+export function paintVrLegend(context: Drawing, model: LegendModel | null): void {
   const { width, height } = LEGEND_SIZE;
   roundRect(context, { x: 0, y: 0, width, height }, 28, C.panel);
   if (!model) return;
@@ -86,7 +89,7 @@ export function paintVrLegend(context: CanvasRenderingContext2D, model: LegendMo
   context.fillText(shown.result?.location ?? "", 30, height - 28, width - 60);
 }
 
-export function paintVrCard(context: CanvasRenderingContext2D, model: CardModel): void {
+export function paintVrCard(context: Drawing, model: CardModel): void {
   const { width } = CARD_SIZE;
   const rows = model.rows.slice(0, 5);
   const height = Math.min(CARD_SIZE.height, 84 + rows.length * 56);

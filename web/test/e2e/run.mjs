@@ -6,6 +6,7 @@ import { build } from "vite";
 import { tinyScene } from "../support/tiny-scene.ts";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
+import { keepTests } from "./keep.mjs";
 import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
 import { programTests } from "./program.mjs";
@@ -42,7 +43,14 @@ const given = { browser, url: server.url, scene: readScene(glb), serveTiny };
 let passed = 0;
 let failed = 0;
 let skipped = 0;
-for (const { name, run, skip } of [...deskTests, ...lookTests, ...timeTests, ...vrTests, ...programTests]) {
+for (const { name, run, skip } of [
+  ...deskTests,
+  ...lookTests,
+  ...timeTests,
+  ...keepTests,
+  ...vrTests,
+  ...programTests,
+]) {
   if (!name.includes(wanted)) continue;
   if (skip) {
     skipped += 1;

@@ -2,13 +2,26 @@
 // The list of features, in the order of their sections. A new one is a file beside this and a line here.
 import type { App } from "../app";
 import { Cuts } from "./cuts";
+import { Difference } from "./difference";
 import type { Feature } from "./feature";
 import { History } from "./history";
 import { HotSpots } from "./hot-spots";
 import { Limits } from "./limits";
+import { Notes } from "./notes";
 import { Parts } from "./parts";
+import { Save } from "./save";
 import { Variants } from "./variants";
 
 export function makeFeatures(app: App): readonly Feature[] {
-  return [new Variants(app), new Limits(app), new HotSpots(app), new Parts(app), new Cuts(app), new History(app)];
+  return [
+    new Variants(app),
+    new Limits(app),
+    new HotSpots(app),
+    new Parts(app),
+    new Cuts(app),
+    new History(app),
+    new Difference(app),
+    new Notes(app),
+    new Save(app),
+  ];
 }
