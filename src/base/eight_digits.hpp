@@ -33,23 +33,29 @@ inline std::uint32_t value_of_eight_digits(std::uint64_t word) {
     return static_cast<std::uint32_t>(word);
 }
 
+/// Eight columns: blanks, then digits up to the last one. Bits are set in `bad` when they are anything else,
+/// so that a row of columns is tested once.
+inline std::uint32_t eight_columns(std::uint64_t word, std::uint64_t& bad) {
+    // As bytes of ones from the low end, blanks that only lead make z & (z + 1) vanish.
+    const std::uint64_t ones = ((~word & 0x1010101010101010) >> 4) * 0xFF;
+    const std::uint64_t digits = word | 0x1010101010101010;
+    bad |= ones & (ones + 1);
+    bad |= (word ^ 0x2020202020202020) & ones;
+    bad |= static_cast<std::uint64_t>(ones == ~std::uint64_t{0} || !is_eight_digits(digits));
+    return value_of_eight_digits(digits);
+}
+
 /// Blanks, then digits to the end of a field. False: something else, or nothing; then the caller takes the
 /// general way. Reads no byte outside the field.
 inline bool fast_integer(const char* at, std::size_t width, std::int64_t& out) {
     constexpr std::size_t kMostDigits = 18;
     std::size_t i = 0;
     if (width >= 8) {
-        // Blanks may only lead: as bytes of ones from the low end they make z & (z + 1) vanish.
-        const std::uint64_t word = load8(at + width - 8);
-        const std::uint64_t blank = (~word & 0x1010101010101010) >> 4;
-        const std::uint64_t ones = blank * 0xFF;
-        const std::uint64_t digits = word | 0x1010101010101010;
-        bool plain = (ones & (ones + 1)) == 0 && ones != ~std::uint64_t{0} &&
-                     (word & 0xC0C0C0C0C0C0C0C0) == 0 && is_eight_digits(digits) &&
-                     ((word ^ 0x2020202020202020) & ones) == 0;
-        for (; i + 8 < width; ++i) plain = plain && at[i] == ' ';
-        if (plain) {
-            out = value_of_eight_digits(digits);
+        std::uint64_t bad = 0;
+        const std::uint32_t value = eight_columns(load8(at + width - 8), bad);
+        for (; i + 8 < width; ++i) bad |= static_cast<std::uint64_t>(at[i] != ' ');
+        if (bad == 0) {
+            out = value;
             return true;
         }
         i = 0;

@@ -213,6 +213,86 @@ TEST(CdbNodes, a_node_given_twice_is_where_the_later_block_puts_it) {
     EXPECT_EQ(opened.diagnostics->count(Code::DuplicateNode), 1u);
 }
 
+TEST(CdbNodes, rows_read_fast_are_the_rows_read_slowly) {
+    // The same numbers in rows alike, and in rows whose every second is spaced so that the fast way refuses
+    // it.
+    for (const char* line_end : {"\n", "\r\n"}) {
+        std::string alike = fmt::format("NBLOCK,6,SOLID{0}(3i9,6e21.13e3){0}", line_end);
+        std::string mixed = alike;
+        for (int i = 1; i <= 40; ++i) {
+            const std::string row = fmt::format(
+                "{:9}{:9}{:9} {}.2345678901234E+00{}-{}.9876543210987E-00{}",
+                i,
+                i % 7,
+                0,
+                i % 10,
+                i % 9,
+                i % 3,
+                i % 5
+            );
+            // Now and then a row leaves its last number out, or comes with angles.
+            const std::string more = i % 11 == 0 ? "" : " 3.0000000000000E+000";
+            alike += row + more + (i % 13 == 0 ? " 9.0000000000000E+001" : "") + line_end;
+            std::string slow = row;
+            if (i % 2 == 0) slow[slow.find('E')] = 'e';
+            mixed += slow + more + (i % 13 == 0 ? " 9.0000000000000E+001" : "") + line_end;
+        }
+        const auto fast = open_deck(alike + kEndOfNodes);
+        const auto slow = open_deck(mixed + kEndOfNodes);
+        ASSERT_EQ(fast.mesh().node_count(), 40u);
+        EXPECT_EQ(fast.mesh().coordinates, slow.mesh().coordinates);
+        EXPECT_EQ(fast.mesh().node_angles, slow.mesh().node_angles);
+        EXPECT_THAT(position_of(fast.mesh(), 22), ElementsAre(22345.678901234, -0.019876543210987, 0));
+        EXPECT_EQ(fast.mesh().node_angles.at(25)[0], 90);
+    }
+}
+
+TEST(CdbElements, rows_alike_and_rows_that_are_not_follow_each_other) {
+    const auto row = [](int material, int count, int id, const std::vector<int>& nodes, const char* line_end
+                     ) {
+        std::string text = fmt::format(
+            "{:9}{:9}{:9}{:9}{:9}{:9}{:9}{:9}{:9}{:9}{:9}",
+            material,
+            count == 20 ? 2 : 1,
+            1,
+            1,
+            0,
+            0,
+            0,
+            0,
+            count,
+            0,
+            id
+        );
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            text += fmt::format("{:9}", nodes[i]);
+            if (i == 7 && nodes.size() > 8) text += line_end;
+        }
+        return text + line_end;
+    };
+    for (const char* line_end : {"\n", "\r\n"}) {
+        std::string deck = "/PREP7\nNBLOCK,6\n(1i9)\n";
+        for (int i = 1; i <= 60; ++i) deck += fmt::format("{:9}\n", i);
+        deck += fmt::format("-1\nET,1,185\nET,2,186{0}EBLOCK,19,SOLID{0}(19i9){0}", line_end);
+        std::map<int, std::vector<std::int64_t>> expected;
+        for (int id = 1; id <= 40; ++id) {
+            const int count = id % 10 < 5 ? 8 : 20;
+            std::vector<int> nodes;
+            for (int i = 0; i < count; ++i) nodes.push_back(1 + (id + i) % 60);
+            if (id % 9 == 0 && count == 20) nodes[13] = 0;  // A left-out mid-side node.
+            deck += row(1 + id % 4 / 2, count, id, nodes, line_end);
+            if (id % 17 == 0) deck += line_end;
+            expected[id].assign(nodes.begin(), nodes.end());
+        }
+        const auto opened = open_deck(deck + "       -1\n");
+        ASSERT_EQ(opened.mesh().element_count(), 40u);
+        for (const auto& [id, nodes] : expected) {
+            EXPECT_EQ(nodes_of(opened.mesh(), id), nodes) << id;
+            EXPECT_EQ(test::part_of(opened.mesh(), id), fmt::format("material {}", 1 + id % 4 / 2));
+        }
+    }
+}
+
 TEST(CdbNodes, an_overflowed_column_is_a_missing_coordinate) {
     const auto opened =
         open_deck("NBLOCK,6,SOLID\n(3i8,6e16.9)\n       7       0       0****************\n" + kEndOfNodes);

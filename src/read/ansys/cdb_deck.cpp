@@ -65,7 +65,9 @@ private:
         const std::string_view text = input.text();
         const char outer_line_end = line_end_;
         line_end_ = line_end_of(text);
+        ReleaseBehind* const outer_release = release_;
         ReleaseBehind release(input);
+        release_ = &release;
         for (Lines lines(text, 0, text.size(), line_end_); !finished_ && lines.next();) {
             release.at(lines.begin());
             const char mark = first_mark(lines.line());
@@ -79,6 +81,7 @@ private:
         finished_ = false;  // /EOF ends one file.
         input_ = outer;
         line_end_ = outer_line_end;
+        release_ = outer_release;
     }
 
     const Input& input() const { return deck_.inputs[input_]; }
@@ -231,7 +234,7 @@ private:
         rows.input = input_;
         rows.begin = rows.end = lines.end();
         rows.format = *format;
-        ReleaseBehind release(input());
+        rows.line_end = line_end_;
         while (lines.next()) {
             if (!starts_row(lines.line(), format->id_width)) {
                 const char mark = first_mark(lines.line());
@@ -239,7 +242,7 @@ private:
             }
             if (rows.ended) break;
             rows.end = lines.end();
-            release.at(rows.end);
+            release_->at(rows.end);
         }
         next_ = rows.end;
         return rows;
@@ -305,6 +308,7 @@ private:
     std::size_t offset_ = 0;  ///< this line of it,
     std::size_t next_ = 0;    ///< and where to go on.
     char line_end_ = '\n';
+    ReleaseBehind* release_ = nullptr;
     int depth_ = 0;       ///< Of /INPUT.
     int conditions_ = 0;  ///< *IF ... THEN around this place.
     bool finished_ = false;

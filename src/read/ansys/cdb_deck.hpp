@@ -23,7 +23,8 @@ struct BlockRows {
     std::size_t begin = 0, end = 0;
     RowFormat format;
     std::int64_t announced = 0;  ///< A hint, never trusted.
-    bool ended = false;          ///< By a row of its kind, not by the end of the file.
+    char line_end = '\n';
+    bool ended = false;  ///< By a row of its kind, not by the end of the file.
 };
 
 enum class ElementForm {

@@ -25,23 +25,24 @@ struct RowFormat {
 /// Empty when the line is no such format.
 std::optional<RowFormat> parse_format(std::string_view line);
 
-/// "-1.2345678901234E+000", right-aligned behind blanks: `decimals` digits behind the point, an exponent of
-/// two or three. False: something else; then the caller takes the general way.
-/// Fourteen digits are exact in a double, so digits x 10^e is one rounded operation while |e| <= 22
-/// (Clinger).
-inline bool fast_real(const char* at, std::size_t width, std::size_t decimals, double& out) {
-    const bool wide = decimals == 13;
-    const std::size_t mantissa = wide ? 16 : 12;  // Sign, digit, point, decimals.
-    if ((!wide && decimals != 9) || width < mantissa + 4) return false;
+/// "-1.2345678901234E+000", right-aligned behind blanks: Decimals digits behind the point, an exponent of two
+/// or three. False: something else; then the caller takes the general way. Fourteen digits are exact in a
+/// double, so digits x 10^e is one rounded operation while |e| <= 22 (Clinger).
+template <std::size_t Decimals>
+inline bool fast_real_of(const char* at, std::size_t width, double& out) {
+    static_assert(Decimals == 13 || Decimals == 9);
+    constexpr bool kWide = Decimals == 13;
+    constexpr std::size_t kMantissa = Decimals + 3;  // Sign, digit, point, decimals.
+    if (width < kMantissa + 4) return false;
     const bool three = at[width - 5] == 'E';
     const std::size_t mark = width - (three ? 5 : 4);
-    if (mark < mantissa || at[mark] != 'E') return false;
+    if (mark < kMantissa) return false;
 
-    const char* start = at + mark - mantissa;
-    bool plain = true;
-    for (const char* blank = at; blank != start; ++blank) plain = plain && *blank == ' ';
+    const char* start = at + mark - kMantissa;
+    bool plain = at[mark] == 'E';
+    for (const char* blank = at; blank != start; ++blank) plain = plain & (*blank == ' ');
     std::uint64_t head = 0;
-    if (wide) {  // s d . d d d d d  ->  0 0 d d d d d d
+    if constexpr (kWide) {  // s d . d d d d d  ->  0 0 d d d d d d
         const std::uint64_t word = load8(start);
         head = (word & 0xFFFFFFFFFF000000) | ((word & 0xFF00) << 8) | 0x3030;
     } else {  // s d . d  ->  0 0 0 0 0 0 d d
@@ -58,16 +59,32 @@ inline bool fast_real(const char* at, std::size_t width, std::size_t decimals, d
             is_eight_digits(tail) & (shrinks | (at[mark + 1] == '+')) & (hundreds <= 9) & (tens <= 9) &
             (units <= 9);
     const int written = static_cast<int>(hundreds * 100 + tens * 10 + units);
-    const int exponent = (shrinks ? -written : written) - static_cast<int>(decimals);
+    const int exponent = (shrinks ? -written : written) - static_cast<int>(Decimals);
     if (!plain || exponent < -22 || exponent > 22) return false;
-    const std::uint64_t digits =
-        value_of_eight_digits(head) * std::uint64_t{100'000'000} + value_of_eight_digits(tail);
-    // One of the two factors is 1, so that there is one rounding.
-    const auto up = static_cast<std::size_t>(exponent > 0 ? exponent : 0);
-    const auto down = static_cast<std::size_t>(exponent < 0 ? -exponent : 0);
-    const double value = static_cast<double>(digits) * kPowersOfTen[up] / kPowersOfTen[down];
+    const auto digits = static_cast<double>(
+        value_of_eight_digits(head) * std::int64_t{100'000'000} + value_of_eight_digits(tail)
+    );
+    // Nearly always the first: a branch is cheaper than a second operation.
+    const double value = exponent <= 0 ? digits / kPowersOfTen[static_cast<std::size_t>(-exponent)]
+                                       : digits * kPowersOfTen[static_cast<std::size_t>(exponent)];
     out = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | (std::uint64_t{negative} << 63));
     return true;
+}
+
+inline bool fast_real(const char* at, std::size_t width, std::size_t decimals, double& out) {
+    if (decimals == 13) return fast_real_of<13>(at, width, out);
+    return decimals == 9 && fast_real_of<9>(at, width, out);
+}
+
+/// Whether all of these bytes are blanks, digits or signs, or at least no line ends among them.
+inline bool stays_in_line(const char* at, std::size_t count) {
+    constexpr std::uint64_t kPrintable =
+        0x2020202020202020;  // Set in blanks, digits and signs alone of those.
+    std::size_t i = 0;
+    bool stays = true;
+    for (; i + 8 <= count; i += 8) stays = stays & ((load8(at + i) & kPrintable) == kPrintable);
+    for (; i < count; ++i) stays = stays & ((at[i] & 0x20) != 0);
+    return stays;
 }
 
 }  // namespace feelem::ansys::cdb

@@ -24,7 +24,9 @@ class MeshReader {
 public:
     MeshReader(const Deck& deck, TypeTable types, Diagnostics& diagnostics)
         : deck_(deck), diagnostics_(diagnostics), builder_(diagnostics),
-          adder_(builder_, std::move(types), diagnostics) {}
+          adder_(builder_, std::move(types), diagnostics),
+          release_of_nodes_(deck.inputs.begin(), deck.inputs.end()),
+          release_of_elements_(deck.inputs.begin(), deck.inputs.end()) {}
 
     Mesh read() {
         reserve();
@@ -74,8 +76,7 @@ private:
     }
 
     void read_nodes(const BlockRows& rows) {
-        const Input& input = deck_.inputs[rows.input];
-        ReleaseBehind release(input);
+        ReleaseBehind& release = release_of_nodes_[rows.input];
         NodeRows reader(deck_, rows);
         while (reader.next()) {
             add_node(reader.node(), [&] { return reader.place().where(); });
@@ -94,7 +95,7 @@ private:
 
     void read_elements(const ElementRows& block) {
         const Input& input = deck_.inputs[block.rows.input];
-        ReleaseBehind release(input);
+        ReleaseBehind& release = release_of_elements_[block.rows.input];
         adder_.set_body(block.body);
         ElementRowsReader reader(deck_, block, [this](std::int64_t type) { return most_nodes(type); });
         while (reader.next()) {
@@ -130,7 +131,7 @@ private:
         std::vector<IdRange> ranges;
         const std::size_t width = rows.format.id_width;
         const std::string_view text = input.text();
-        for (Lines lines(text, rows.begin, rows.end, line_end_of(text)); lines.next();) {
+        for (Lines lines(text, rows.begin, rows.end, rows.line_end); lines.next();) {
             place.at(lines.begin());
             for (std::size_t at = 0; at < lines.line().size(); at += width) {
                 const std::int64_t number = integer_field(lines.line(), at, width, place);
@@ -210,6 +211,8 @@ private:
     Diagnostics& diagnostics_;
     MeshBuilder builder_;
     ElementAdder adder_;
+    std::vector<ReleaseBehind> release_of_nodes_;
+    std::vector<ReleaseBehind> release_of_elements_;
     std::int64_t highest_node_ = 0;
     std::int64_t highest_element_ = 0;
 };

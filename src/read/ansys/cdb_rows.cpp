@@ -11,26 +11,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace feelem::ansys::cdb {
 namespace {
 
-constexpr std::size_t kSolidAttributes = 11;
-constexpr std::size_t kPlainAttributes = 5;
-
-std::string_view without_return(std::string_view line) {
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
-}
-
 std::string_view field_of(std::string_view line, std::size_t first, std::size_t width) {
     return first < line.size() ? line.substr(first, width) : std::string_view{};
 }
 
-Lines lines_of(const Deck& deck, const BlockRows& rows) {
-    const std::string_view text = deck.inputs[rows.input].text();
-    return {text, rows.begin, rows.end, line_end_of(text)};
+bool is_blank(std::string_view line) {
+    return line.find_first_not_of(" \t") == std::string_view::npos;
 }
 
 }  // namespace
@@ -79,25 +71,69 @@ double real_field(
     return *general;
 }
 
+std::optional<std::string_view> BlockCursor::next() {
+    if (at >= end) return std::nullopt;
+    const char* from = text.data() + at;
+    const void* found = std::memchr(from, line_end, end - at);
+    std::size_t length = end - at;
+    if (found != nullptr) length = static_cast<std::size_t>(static_cast<const char*>(found) - from);
+    at = std::min(at + length + 1, end);
+    if (length > 0 && from[length - 1] == '\r') --length;
+    return std::string_view(from, length);
+}
+
 NodeRows::NodeRows(const Deck& deck, const BlockRows& rows)
-    : rows_(rows), lines_(lines_of(deck, rows)), place_(deck.inputs[rows.input], "NBLOCK") {}
+    : rows_(rows), lines_(deck, rows), place_(deck.inputs[rows.input], "NBLOCK") {}
 
 bool NodeRows::next() {
-    while (lines_.next()) {
-        place_.at(lines_.begin());
-        // A number may be cut in two where the file ends.
-        const std::string_view line = without_return(lines_.line());
-        if (!rows_.ended && !lines_.ended()) {
-            if (line.find('\0') != std::string_view::npos) place_.bad_row(line);
-            cut_ = true;
-            return false;
-        }
-        if (trim(line).empty() && line.find('\0') == std::string_view::npos) continue;
-        read(line);
+    place_.at(lines_.at);
+    if (length_ != 0 && read_fast()) {
         ++count_;
         return true;
     }
+    while (const auto line = lines_.next()) {
+        // A number may be cut in two where the file ends.
+        if (!rows_.ended && lines_.at_end() && !lines_.was_ended()) {
+            if (line->find('\0') != std::string_view::npos) place_.bad_row(*line);
+            cut_ = true;
+            return false;
+        }
+        if (!is_blank(*line)) {
+            read(*line);
+            ++count_;
+            return true;
+        }
+        place_.at(lines_.at);
+    }
     return false;
+}
+
+/// A row as long as the one before, each column as solvers print it: one test at its end.
+bool NodeRows::read_fast() {
+    const RowFormat& format = rows_.format;
+    if (lines_.end - lines_.at < length_) return false;
+    const char* row = lines_.text.data() + lines_.at;
+    const char* reals = row + format.integers_end;
+    const char* reals_end = reals + reals_ * format.other_width;
+    bool plain = row[length_ - 1] == lines_.line_end &&
+                 (reals_end + 1 == row + length_ || *reals_end == '\r') &&
+                 stays_in_line(row + format.id_width, format.integers_end - format.id_width);
+    std::int64_t id = 0;
+    plain = plain && fast_integer(row, format.id_width, id) && id > 0;
+    std::array<double, 6> values{};
+    if (format.decimals == 13) {
+        for (std::size_t i = 0; i < reals_; ++i)
+            plain = plain && fast_real_of<13>(reals + i * format.other_width, format.other_width, values[i]);
+    } else {
+        for (std::size_t i = 0; i < reals_; ++i)
+            plain = plain && fast_real_of<9>(reals + i * format.other_width, format.other_width, values[i]);
+    }
+    if (!plain) return false;
+    node_.id = id;
+    node_.position = {values[0], values[1], values[2]};
+    node_.angles = {values[3], values[4], values[5]};
+    lines_.at += length_;
+    return true;
 }
 
 void NodeRows::read(std::string_view line) {
@@ -111,33 +147,97 @@ void NodeRows::read(std::string_view line) {
         reals[i] = real_field(line, at, format.other_width, format.decimals, place_);
     node_.position = {reals[0], reals[1], reals[2]};
     node_.angles = {reals[3], reals[4], reals[5]};
+    if (format.others == 0) return;
+    reals_ = line.size() < format.integers_end ? 0 : (line.size() - format.integers_end) / format.other_width;
+    const bool whole =
+        line.size() == format.integers_end + reals_ * format.other_width && reals_ <= reals.size();
+    const bool usual = format.decimals == 13 || format.decimals == 9;
+    length_ = whole && usual && lines_.was_ended() ? lines_.at - place_.offset() : 0;
 }
 
 ElementRowsReader::ElementRowsReader(const Deck& deck, const ElementRows& block, NodesOfType nodes_of_type)
-    : block_(block), nodes_of_type_(std::move(nodes_of_type)), lines_(lines_of(deck, block.rows)),
+    : block_(block), nodes_of_type_(std::move(nodes_of_type)), lines_(deck, block.rows),
       place_(deck.inputs[block.rows.input], "EBLOCK") {}
 
 bool ElementRowsReader::next() {
-    while (lines_.next()) {
-        place_.at(lines_.begin());
-        const std::string_view line = without_return(lines_.line());
-        if (trim(line).empty() && line.find('\0') == std::string_view::npos) continue;
+    place_.at(lines_.at);
+    if (!alike_.empty() && read_fast()) {
+        ++count_;
+        return true;
+    }
+    while (const auto line = lines_.next()) {
+        if (is_blank(*line)) {
+            place_.at(lines_.at);
+            continue;
+        }
         node_count_ = 0;
         short_ = false;
-        block_.form == ElementForm::Solid ? read_solid(line) : read_plain(line);
-        const bool at_end = !block_.rows.ended && lines_.end() >= block_.rows.end;
-        const bool partly = !lines_.ended() && lines_.line().size() % block_.rows.format.id_width != 0;
+        block_.form == ElementForm::Solid ? read_solid(*line) : read_plain(*line);
+        const bool at_end = !block_.rows.ended && lines_.at_end();
+        const bool partly =
+            !lines_.was_ended() && (lines_.at - place_.offset()) % block_.rows.format.id_width != 0;
         if (at_end && (short_ || partly)) {
             cut_ = true;
             return false;
         }
-        if (row_.id < 1) place_.bad_row(line);
+        if (row_.id < 1) place_.bad_row(*line);
         row_.nodes = std::span(nodes_).first(std::min(node_count_, nodes_.size()));
         row_.offset = place_.offset();
+        if (block_.form == ElementForm::Solid) remember(line->size());
         ++count_;
         return true;
     }
     return false;
+}
+
+/// Whether the next row may be read like this one: whole lines of columns, as many nodes as it says.
+void ElementRowsReader::remember(std::size_t first) {
+    const std::size_t width = block_.rows.format.id_width;
+    const std::size_t on_first = std::min<std::size_t>(node_count_, 8);
+    const std::size_t bytes = (kSolidAttributes + node_count_) * width;
+    const std::size_t lines = node_count_ > on_first ? 2 : 1;
+    const std::size_t ends = lines_.at - place_.offset() - std::min(bytes, lines_.at - place_.offset());
+    const bool usual = width >= 8 && width <= 10 && block_.rows.format.integers == 19 && !short_ &&
+                       node_count_ >= 1 && node_count_ <= 27 &&
+                       first == (kSolidAttributes + on_first) * width &&
+                       (ends == lines || ends == 2 * lines) && lines_.was_ended();
+    alike_ = usual ? lines_.text.substr(place_.offset(), kAlike * width) : std::string_view{};
+    line_end_size_ = ends / lines;
+}
+
+/// A row with the same attributes as the one before, so with as many nodes: one test at its end.
+bool ElementRowsReader::read_fast() {
+    const std::size_t width = block_.rows.format.id_width;
+    const std::size_t on_first = std::min<std::size_t>(node_count_, 8);
+    const std::size_t first = (kSolidAttributes + on_first) * width;
+    const std::size_t second = (node_count_ - on_first) * width;
+    const std::size_t size = first + line_end_size_ + (second == 0 ? 0 : second + line_end_size_);
+    if (lines_.end - lines_.at < size) return false;
+    const char* row = lines_.text.data() + lines_.at;
+    if (std::memcmp(row, alike_.data(), alike_.size()) != 0) return false;
+    std::uint64_t bad = 0;
+    const auto column = [&](const char* at) {
+        const char* last = at + width - 8;
+        for (; at != last; ++at) bad |= static_cast<std::uint64_t>(*at != ' ');
+        return eight_columns(load8(last), bad);
+    };
+    const auto line_end = [&](const char* at) {
+        if (line_end_size_ == 2) bad |= static_cast<std::uint64_t>(*at != '\r');
+        bad |= static_cast<std::uint64_t>(at[line_end_size_ - 1] != lines_.line_end);
+    };
+    bad |= static_cast<std::uint64_t>(!stays_in_line(row + kAlike * width, width));
+    const std::int64_t id = column(row + (kSolidAttributes - 1) * width);
+    const char* at = row + kSolidAttributes * width;
+    for (std::size_t i = 0; i < on_first; ++i, at += width) nodes_[i] = column(at);
+    line_end(at);
+    at += line_end_size_;
+    for (std::size_t i = on_first; i < node_count_; ++i, at += width) nodes_[i] = column(at);
+    if (second != 0) line_end(at);
+    if (bad != 0 || id == 0) return false;
+    row_.id = id;
+    row_.offset = lines_.at;
+    lines_.at += size;
+    return true;
 }
 
 /// Material, type, real constant, section, system, death, solid, shape, number of nodes, (unused), number.
@@ -193,10 +293,11 @@ void ElementRowsReader::add_nodes(
 }
 
 void ElementRowsReader::add_lines(std::size_t wanted) {
-    while (node_count_ < wanted && lines_.next()) {
+    while (node_count_ < wanted) {
+        const auto line = lines_.next();
+        if (!line) return;
         const std::size_t before = node_count_;
-        const std::string_view line = without_return(lines_.line());
-        add_nodes(line, 0, block_.rows.format.integers, wanted);
+        add_nodes(*line, 0, block_.rows.format.integers, wanted);
         if (node_count_ == before) return;
     }
 }

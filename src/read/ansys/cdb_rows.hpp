@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace feelem::ansys::cdb {
@@ -37,6 +39,21 @@ double real_field(
     std::string_view line, std::size_t first, std::size_t width, std::size_t decimals, const RowPlace& place
 );
 
+/// A position among the lines of a block.
+struct BlockCursor {
+    std::string_view text;
+    std::size_t at = 0, end = 0;
+    char line_end = '\n';
+
+    BlockCursor(const Deck& deck, const BlockRows& rows)
+        : text(deck.inputs[rows.input].text()), at(rows.begin), end(rows.end), line_end(rows.line_end) {}
+    /// The next line, without its end and a carriage return; nothing at the end.
+    std::optional<std::string_view> next();
+    bool at_end() const { return at >= end; }
+    /// False when the file ends without a line end: its last line may have been cut.
+    bool was_ended() const { return text[at - 1] == line_end; }
+};
+
 /// Rows of an NBLOCK.
 class NodeRows {
 public:
@@ -48,14 +65,18 @@ public:
     std::int64_t count() const { return count_; }
 
 private:
+    bool read_fast();
     void read(std::string_view line);
 
     const BlockRows& rows_;
-    Lines lines_;
+    BlockCursor lines_;
     RowPlace place_;
     CommandNode node_;
     std::int64_t count_ = 0;
     bool cut_ = false;
+    // Of the row before, which the next one is like: its length with what ends it, and its reals.
+    std::size_t length_ = 0;  ///< 0: no such row.
+    std::size_t reals_ = 0;
 };
 
 /// Rows of an EBLOCK; those of several lines are put together.
@@ -73,17 +94,22 @@ public:
 
 private:
     static constexpr std::size_t kMostNodes = 64;
+    static constexpr std::size_t kSolidAttributes = 11;
+    static constexpr std::size_t kPlainAttributes = 5;
+    static constexpr std::size_t kAlike = 9;  ///< First attributes, the number of nodes with them.
 
+    bool read_fast();
     void read_solid(std::string_view line);
     void read_plain(std::string_view line);
     void add_nodes(
         std::string_view line, std::size_t first_field, std::size_t last_field, std::size_t wanted
     );
     void add_lines(std::size_t wanted);
+    void remember(std::size_t first);
 
     const ElementRows& block_;
     NodesOfType nodes_of_type_;
-    Lines lines_;
+    BlockCursor lines_;
     RowPlace place_;
     ElementRowIds row_;
     std::array<std::int64_t, kMostNodes> nodes_{};
@@ -91,6 +117,8 @@ private:
     std::int64_t count_ = 0;
     bool short_ = false;  ///< The row has fewer nodes than it says.
     bool cut_ = false;
+    std::string_view alike_;         ///< First attributes of the row before; empty: no fast way.
+    std::size_t line_end_size_ = 0;  ///< One or two characters.
 };
 
 }  // namespace feelem::ansys::cdb
