@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bulk data in all the forms that people and programs write it in.
+#include "base/input.hpp"
 #include "derive/tensor.hpp"
+#include "read/read_format.hpp"
 #include "support/paths.hpp"
 
 #include "feelem/error.hpp"
@@ -11,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -228,6 +231,34 @@ TEST(NastranBulk, what_cannot_be_read_is_refused_with_its_place_and_field) {
     EXPECT_NE(refusal("CQUAD4,1,1,1,2,3,4\n").find("no GRID"), std::string::npos);
 }
 
+TEST(NastranBulk, marks_that_do_not_match_are_reported) {
+    const std::string grids(kBrick, std::string(kBrick).find("CHEXA"));
+    EXPECT_FALSE(open_deck(grids + "CHEXA,1,1,1,2,3,4,5,6,+C1\n+C1,7,8\n").diagnostics.has(Code::BadStructure)
+    );
+    const Opened opened = open_deck(
+        grids +
+        "CHEXA   1       1       1       2       3       4       5       6       +C1\n+C2     7       8\n"
+    );
+    EXPECT_EQ(opened.diagnostics.count(Code::BadStructure), 1U);
+}
+
+TEST(NastranBulk, sets_of_grids_and_elements_keep_their_names) {
+    const Opened opened = open_deck(
+        std::string(kBrick) +
+        "$HMSET        4        1 \"corner nodes\" 18\nSET,4,GRID,LIST,\n+,1,3,THRU,5,\n+,99\n"
+        "SET3,7,ELEM,1,THRU,50\nSET3,8,PROP,1\n"
+    );
+    ASSERT_EQ(opened.mesh().node_sets.size(), 1U);
+    EXPECT_EQ(opened.mesh().node_sets[0].name, "corner nodes");
+    EXPECT_EQ(
+        opened.mesh().node_sets[0].nodes,
+        (std::vector<NodeIndex>{NodeIndex{0}, NodeIndex{2}, NodeIndex{3}, NodeIndex{4}})
+    );
+    ASSERT_EQ(opened.mesh().element_sets.size(), 1U);
+    EXPECT_EQ(opened.mesh().element_sets[0].name, "set 7");
+    EXPECT_EQ(opened.mesh().element_sets[0].elements, std::vector<ElementIndex>{ElementIndex{0}});
+}
+
 TEST(NastranBulk, superelement_sections_are_left_out_with_a_word) {
     const Opened opened = open_deck(
         std::string("SOL 101\nCEND\nBEGIN BULK\n") + kBrick + "BEGIN SUPER=1\nGRID,90,,0.,0.,0.\nENDDATA\n"
@@ -284,6 +315,33 @@ TEST(NastranBulk, decks_of_two_models_are_not_mixed) {
     const std::string deck = std::string("BEGIN BULK\n") + kBrick + "ENDDATA\n";
     EXPECT_NO_THROW(open_decks({{"static.bdf", deck}, {"modes.bdf", "SOL 103\nCEND\n" + deck}}));
     EXPECT_THROW(open_decks({{"static.bdf", deck}, {"other.bdf", deck.substr(0, 60) + "ENDDATA\n"}}), Error);
+}
+
+/// Each file goes to the reader of its own solver, whatever its suffix (.dat is anybody's).
+TEST(NastranBulk, files_of_other_solvers_are_left_to_their_readers) {
+    const auto file = test::corpus_file("nastran/ORIGINS.md");
+    if (!file) GTEST_SKIP() << "the corpus is not here";
+    namespace fs = std::filesystem;
+    const fs::path corpus = fs::path(*file).parent_path().parent_path();
+    std::size_t others = 0, own = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
+        if (!entry.is_regular_file()) continue;
+        const std::string path = entry.path().string(), ending = entry.path().extension().string();
+        const Input input = Input::from_file(path);
+        const bool is_nastran = path.find("/nastran/models/") != std::string::npos || ending == ".bdf";
+        const std::string expected = !is_nastran                            ? ""
+                                     : ending == ".f06"                     ? "nastran-f06"
+                                     : ending == ".op2" || ending == ".txt" ? ""
+                                                                            : "nastran-bulk";
+        (is_nastran ? own : others) += 1;
+        for (const ReadFormat& format : read_format_list()) {
+            const std::string id(format.info.id);
+            if (id != "nastran-bulk" && id != "nastran-f06" && id != "nastran-punch") continue;
+            EXPECT_EQ(format.recognise(input) == Likelihood::Sure, id == expected) << path << " by " << id;
+        }
+    }
+    EXPECT_GT(others, 300U);
+    EXPECT_GT(own, 130U);
 }
 
 TEST(NastranBulk, the_boiler_has_its_true_skin) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Punch files, in the forms of MSC and NX Nastran, by columns.
+#include "support/paths.hpp"
+
+#include "feelem/derive.hpp"
 #include "feelem/error.hpp"
 #include "feelem/read.hpp"
 
@@ -167,6 +170,32 @@ TEST(NastranPunch, columns_that_overflowed_are_missing) {
     EXPECT_TRUE(std::isnan(punched.value(0, 1, 0)));
     EXPECT_EQ(punched.value(0, 1, 2), 1.5F);
     EXPECT_GT(punched.diagnostics.count(Code::NonFiniteValue), 0U);
+}
+
+TEST(NastranPunch, the_example_gives_the_same_as_its_print_file) {
+    const std::string base = test::project_file("tests/data/nastran/pipe");
+    Diagnostics diagnostics;
+    const auto punched = open_model(std::vector<std::string>{base + ".bdf", base + ".pch"}, {}, diagnostics);
+    const auto printed = open_model(std::vector<std::string>{base + ".bdf", base + ".f06"}, {}, diagnostics);
+    EXPECT_EQ(punched->inputs().size(), 3U) << "with the included file";
+    EXPECT_EQ(punched->mesh().parts[0].name, "Pipe wall (PSOLID 7)");
+    ASSERT_EQ(punched->results().size(), 4U);
+    ASSERT_EQ(printed->results().size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Result a = punched->load(i), b = printed->load(i);
+        EXPECT_EQ(a.info.name, b.info.name);
+        ASSERT_EQ(a.values.size(), b.values.size());
+        for (std::size_t k = 0; k < a.values.size(); ++k) {
+            if (std::isnan(a.values[k]) && std::isnan(b.values[k])) continue;
+            EXPECT_EQ(a.values[k], b.values[k]) << a.info.name << " " << k;
+        }
+    }
+    // Outward everywhere: at 90 degrees along y.
+    const Result moved = to_global(punched->mesh(), punched->load(0));
+    const auto row = raw(find_node(punched->mesh(), NodeId{5}));
+    EXPECT_NEAR(punched->mesh().coordinates[row][1], 100, 1e-12);
+    EXPECT_NEAR(moved.values[row * 3], 0, 1e-9);
+    EXPECT_FLOAT_EQ(moved.values[row * 3 + 1], 1.234567e-3F);
 }
 
 }  // namespace

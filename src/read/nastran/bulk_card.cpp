@@ -32,6 +32,12 @@ bool is_mark(char c) {
     return c == '+' || c == '*';
 }
 
+/// What tells one continuation from another: the mark without its first character.
+std::string_view tag_of(std::string_view mark) {
+    mark = trim(mark);
+    return mark.empty() ? mark : mark.substr(1);
+}
+
 }  // namespace
 
 bool BulkLines::advance() {
@@ -102,6 +108,7 @@ void BulkCard::add_fixed(std::string_view line) {
         }
         line = {out.data(), n};
     }
+    mark_ = line.size() > kLastData ? tag_of(line.substr(kLastData, kColumn)) : std::string_view{};
     const std::size_t width = large_ ? 2 * kColumn : kColumn;
     const std::size_t end = std::min(line.size(), kLastData);
     std::size_t i = base_;
@@ -119,9 +126,13 @@ void BulkCard::add_free(std::string_view line) {
                rest.find_first_not_of(", \t", comma) != std::string_view::npos;
     };
     std::size_t i = 0;
+    mark_ = {};
     while (true) {
         const std::size_t comma = std::min(line.find(','), line.size());
-        if (i == mark && !is_beyond(line)) break;
+        if (i == mark && !is_beyond(line)) {
+            mark_ = tag_of(line.substr(0, comma));
+            break;
+        }
         if (i > 0) set(base_ + i - 1, line.substr(0, comma));
         if (comma == line.size()) break;
         line.remove_prefix(comma + 1);
@@ -152,12 +163,18 @@ void BulkCard::read(std::string_view text, const CardHead& head) {
     spaced_used_ = 0;
     base_ = 1;
     large_ = head.large;
+    marks_differ_ = false;
     BulkLines lines(text, head.offset);
     if (!lines.advance()) return;
     add_line(lines.line());
     while (lines.advance() && is_continuation(lines.line())) {
-        if (is_mark(lines.line()[0])) large_ = lines.line()[0] == '*';
-        add_line(lines.line());
+        const std::string_view line = lines.line();
+        if (is_mark(line[0])) {
+            large_ = line[0] == '*';
+            const std::string_view tag = tag_of(line.substr(0, std::min(line.find_first_of(",\t"), kColumn)));
+            if (!tag.empty() && !mark_.empty() && tag != mark_) marks_differ_ = true;
+        }
+        add_line(line);
     }
 }
 

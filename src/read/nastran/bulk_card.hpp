@@ -63,6 +63,8 @@ public:
     /// One beyond the last field that is not blank.
     std::size_t size() const noexcept { return fields_.size(); }
     bool is_blank(std::size_t i) const noexcept { return field(i).empty(); }
+    /// Whether a line ended with another mark than the next began with: the deck may be out of order.
+    bool marks_differ() const noexcept { return marks_differ_; }
     std::optional<std::int64_t> integer(std::size_t i) const;
     std::optional<double> real(std::size_t i) const;
 
@@ -77,6 +79,8 @@ private:
     std::size_t spaced_used_ = 0;
     std::size_t base_ = 1;  ///< Field that the next line starts with.
     bool large_ = false;
+    std::string_view mark_;  ///< With which the last line ended.
+    bool marks_differ_ = false;
 };
 
 }  // namespace feelem::nastran

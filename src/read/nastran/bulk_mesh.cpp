@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Must: give every grid its place and every element card its shape, or say which card it could not.
 // Assumes: nothing about the order of cards.
-// Algorithm: one walk over the deck reads grids, systems and properties and notes where element cards are;
-// then systems are resolved, grids placed, and the element cards read where they stand.
-// Data: 56 bytes a grid and 24 an element card beside the mesh.
+// Algorithm: one walk over the deck (read_cards) collects grids and systems and notes where element cards
+// are; then systems are resolved, grids placed, and the element cards read where they stand.
+// Data: 48 bytes a grid and 24 an element card beside the mesh.
 #include "read/nastran/bulk_mesh.hpp"
 
 #include "model/mesh_builder.hpp"
+#include "read/element_lookup.hpp"
 #include "read/nastran/bulk_card.hpp"
+#include "read/nastran/bulk_cards.hpp"
 #include "read/nastran/bulk_deck.hpp"
-#include "read/nastran/bulk_names.hpp"
-#include "read/nastran/coordinate_systems.hpp"
 #include "read/nastran/nastran_elements.hpp"
 
 #include "feelem/error.hpp"
@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -29,297 +28,96 @@
 namespace feelem::nastran {
 namespace {
 
-constexpr std::int64_t kBlank = std::numeric_limits<std::int64_t>::min();
-constexpr std::uint64_t kMostScalarPoints = 1'000'000;
-constexpr std::uint8_t kSecondPlotel = 4;  ///< A PLOTEL card holds two elements.
-
-struct Grid {
-    std::int64_t id = 0;
-    std::int64_t place_system = 0;  ///< CP
-    std::int64_t value_system = 0;  ///< CD
-    Point3 place{};
-};
-
-struct ElementPlace {
-    std::int64_t id = 0;
-    std::uint64_t offset = 0;
-    std::uint32_t file = 0;
-    std::uint16_t card = 0;  ///< Into element_cards().
-    bool large = false;
-    std::uint8_t shift = 0;  ///< Of its fields.
-};
-
-/// Cards that start with C and are no elements.
-bool is_other_card(std::string_view name) {
-    constexpr std::array<std::string_view, 21> kOthers{
-        "CBARAO",  "CLOAD",   "CNTSTB", "COMBIN", "CONCRL", "CONTACT", "CONTPRM",
-        "CONTRLT", "CONV",    "CONVM",  "CREEP",  "CSET",   "CSET1",   "CSSCHD",
-        "CSUPER",  "CSUPEXT", "CYAX",   "CYJOIN", "CYSUP",  "CYSYM",   "CAUTOSE",
-    };
-    return !name.starts_with('C') || name.starts_with("CORD") ||
-           std::ranges::find(kOthers, name) != kOthers.end();
-}
-
-class DeckReader {
+class BulkMeshMaker {
 public:
-    DeckReader(std::vector<Input> decks, IncludeFiles* includes, Diagnostics& diagnostics)
-        : first_name_(decks.front().name()), deck_(std::move(decks), includes, diagnostics),
-          diagnostics_(diagnostics), builder_(diagnostics) {}
+    BulkMeshMaker(BulkDeck& deck, BulkCards cards, Diagnostics& diagnostics)
+        : deck_(deck), cards_(std::move(cards)), diagnostics_(diagnostics), builder_(diagnostics) {}
 
-    BulkModel read() {
-        CardHead head;
-        while (deck_.next(head)) {
-            for (const std::string_view comment : deck_.take_names()) names_.add_comment(comment);
-            read_card(head);
-        }
-        if (grids_.empty() && scalar_points_.empty()) throw_no_nodes();
+    BulkModel make() {
         place_grids();
+        for (const auto& [card, count] : cards_.skipped) builder_.skip_element(card, count);
         read_elements();
-        model_.title = deck_.title();
-        model_.cards = deck_.card_count();
-        model_.grids = grids_.size();
-        model_.systems = systems_.count();
-        model_.mesh = builder_.finish();
-        return std::move(model_);
+        add_grid_sets();
+        BulkModel model;
+        model.title = deck_.title();
+        model.cards = deck_.card_count();
+        model.grids = cards_.grids.size();
+        model.systems = cards_.systems.count();
+        model.element_cards = std::move(cards_.element_cards);
+        model.mesh = builder_.finish();
+        add_element_sets(model.mesh);
+        return model;
     }
 
 private:
-    [[noreturn]] void throw_no_nodes() const {
-        throw Error(
-            Code::NoNodes,
-            first_name_,
-            elements_.empty() ? "the deck holds neither GRID nor element cards: it is no model"
-                              : "the deck holds elements but no GRID: give the deck that includes it, or the "
-                                "file with the grids too"
-        );
-    }
-
-    std::string here() const { return deck_.where(deck_.file(), card_offset_); }
-
-    [[noreturn]] void bad_field(std::string_view card, std::size_t field, std::string_view expected) const {
-        throw Error(
-            Code::BadNumber,
-            here(),
-            fmt::format(
-                "{}: \"{}\" stands in field {} where {} must be",
-                card,
-                card_.field(field),
-                field + 1,
-                expected
-            )
-        );
-    }
-
-    /// Blank fields give `blank`.
-    std::int64_t integer(std::string_view card, std::size_t field, std::int64_t blank) const {
-        if (card_.is_blank(field)) return blank;
-        const auto value = card_.integer(field);
-        if (!value) bad_field(card, field, "a whole number");
-        return *value;
-    }
-    std::int64_t id(std::string_view card, std::size_t field) const {
-        const std::int64_t value = integer(card, field, 0);
-        if (value <= 0) bad_field(card, field, "a positive number");
-        return value;
-    }
-    double real(std::string_view card, std::size_t field) const {
-        if (card_.is_blank(field)) return 0;
-        const auto value = card_.real(field);
-        if (!value || !std::isfinite(*value)) bad_field(card, field, "a number");
-        return *value;
-    }
-
-    void read_card(const CardHead& head) {
-        const std::string_view name = head.name();
-        card_offset_ = head.offset;
-        if (name == "GRID") {
-            fetch(head);
-            read_grid();
-        } else if (const ElementCard* card = element_card(name)) {
-            fetch(head);
-            note_element(head, *card);
-        } else if (is_element_without_surface(name)) {
-            ++model_.element_cards[std::string(name)];
-            builder_.skip_element(name);
-        } else if (name.starts_with("CORD")) {
-            fetch(head);
-            read_system(name);
-        } else if (is_property_card(name)) {
-            fetch(head);
-            if (const auto property = card_.integer(1)) names_.add_card(name, *property);
-        } else {
-            read_other(head);
-        }
-    }
-
-    void fetch(const CardHead& head) { card_.read(deck_.input(deck_.file()).text(), head); }
-
-    /// Decks list the same card many times in a row.
-    const ElementCard* element_card(std::string_view name) {
-        if (last_card_ == nullptr || last_card_->name != name) last_card_ = find_element_card(name);
-        return last_card_;
-    }
-
-    void read_other(const CardHead& head) {
-        const std::string_view name = head.name();
-        if (name == "GRDSET") {
-            fetch(head);
-            default_place_system_ = integer(name, 2, 0);
-            default_value_system_ = integer(name, 6, 0);
-        } else if (name == "SPOINT" || name == "EPOINT") {
-            fetch(head);
-            read_scalar_points(name);
-        } else if (name == "BAROR" || name == "BEAMOR") {
-            fetch(head);
-            (name == "BAROR" ? default_bar_ : default_beam_) = integer(name, 2, kBlank);
-        } else if (name.starts_with('=')) {
-            throw Error(
-                Code::BadStructure,
-                here(),
-                "the deck repeats cards (\"=\"), which Feelem does not read. Run it with ECHO=PUNCH: the "
-                ".pch "
-                "file holds the cards in full."
-            );
-        } else if (!is_other_card(name)) {
-            diagnostics_.add(
-                Code::UnknownElementType,
-                [&] { return here(); },
-                fmt::format("{} cards are not known; if they are elements, these are left out", name)
-            );
-        }
-    }
-
-    void read_grid() {
-        Grid& grid = grids_.emplace_back();
-        grid.id = id("GRID", 1);
-        grid.place_system = integer("GRID", 2, kBlank);
-        for (std::size_t i = 0; i < 3; ++i) grid.place[i] = real("GRID", 3 + i);
-        grid.value_system = integer("GRID", 6, kBlank);
-    }
-
-    void read_scalar_points(std::string_view name) {
-        if (card_.size() >= 4 && (card_.field(2) == "THRU" || card_.field(2) == "thru")) {
-            const std::int64_t first = id(name, 1), last = id(name, 3);
-            const auto count = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
-            if (last < first || count >= kMostScalarPoints - scalar_points_.size()) {
-                throw Error(
-                    Code::TooLarge,
-                    here(),
-                    fmt::format("{} {} THRU {}: more than a million scalar points", name, first, last)
-                );
-            }
-            for (std::int64_t point = first; point <= last; ++point) scalar_points_.push_back(point);
-            return;
-        }
-        for (std::size_t i = 1; i < card_.size(); ++i) {
-            if (!card_.is_blank(i)) scalar_points_.push_back(id(name, i));
-        }
-    }
-
-    void read_system(std::string_view name) {
-        const auto kind = [](char letter) -> std::optional<SystemKind> {
-            if (letter == 'R') return SystemKind::Rectangular;
-            if (letter == 'C') return SystemKind::Cylindrical;
-            if (letter == 'S') return SystemKind::Spherical;
-            return std::nullopt;
-        };
-        const auto found = name.size() == 6 ? kind(name[5]) : std::nullopt;
-        if (!found || (name[4] != '1' && name[4] != '2')) {
-            diagnostics_.add(
-                Code::CoordinateSystem,
-                [&] { return here(); },
-                fmt::format("{} systems are not known; grids in them have no place", name)
-            );
-            return;
-        }
-        const auto where = [this, file = deck_.file(), at = card_offset_] { return deck_.where(file, at); };
-        if (name[4] == '2') {
-            SystemCard card{id(name, 1), *found, integer(name, 2, 0), {}, {}, false, where};
-            for (std::size_t i = 0; i < 9; ++i) card.points[i / 3][i % 3] = real(name, 3 + i);
-            systems_.add(std::move(card));
-            return;
-        }
-        for (std::size_t i = 1; i <= 5 && !card_.is_blank(i); i += 4) {
-            systems_.add(
-                {id(name, i), *found, 0, {}, {id(name, i + 1), id(name, i + 2), id(name, i + 3)}, true, where}
-            );
-        }
-    }
-
-    void note_element(const CardHead& head, const ElementCard& card) {
-        ElementPlace place;
-        place.id = id(card.name, 1);
-        place.offset = head.offset;
-        place.file = deck_.file();
-        place.card = static_cast<std::uint16_t>(&card - element_cards().data());
-        place.large = head.large;
-        elements_.push_back(place);
-        ++model_.element_cards[std::string(card.name)];
-        if (card.name != "PLOTEL" || card_.is_blank(1 + kSecondPlotel)) return;
-        place.id = id(card.name, 1 + kSecondPlotel);
-        place.shift = kSecondPlotel;
-        elements_.push_back(place);
-        ++model_.element_cards[std::string(card.name)];
-    }
-
     /// Where CORD1x cards find their grids.
     CoordinateSystems::FindGrid grid_finder() {
-        std::vector<std::uint32_t> by_id(grids_.size());
+        std::vector<std::uint32_t> by_id(cards_.grids.size());
         std::iota(by_id.begin(), by_id.end(), 0U);
-        std::ranges::stable_sort(by_id, {}, [&](std::uint32_t i) { return grids_[i].id; });
+        std::ranges::stable_sort(by_id, {}, [&](std::uint32_t i) { return cards_.grids[i].id; });
         return [this, by_id = std::move(by_id)](std::int64_t grid) -> std::optional<GridPlace> {
-            const auto id_of = [&](std::uint32_t i) { return grids_[i].id; };
+            const auto id_of = [&](std::uint32_t i) { return cards_.grids[i].id; };
             const auto found = std::ranges::lower_bound(by_id, grid, {}, id_of);
             if (found == by_id.end() || id_of(*found) != grid) return std::nullopt;
-            return GridPlace{grids_[*found].place_system, grids_[*found].place};
+            return GridPlace{cards_.grids[*found].place_system, cards_.grids[*found].place};
         };
     }
 
     void place_grids() {
-        for (Grid& grid : grids_) {
-            if (grid.place_system == kBlank) grid.place_system = default_place_system_;
-            if (grid.value_system == kBlank) grid.value_system = default_value_system_;
+        for (BulkGrid& grid : cards_.grids) {
+            if (grid.place_system == kBlankField) grid.place_system = cards_.place_system;
+            if (grid.value_system == kBlankField) grid.value_system = cards_.value_system;
         }
-        if (systems_.count() > 0) systems_.resolve(grid_finder(), diagnostics_);
-        builder_.reserve_nodes(grids_.size() + scalar_points_.size());
-        for (const Grid& grid : grids_) {
-            if (!systems_.known(grid.place_system)) report_system(grid, grid.place_system, "have no place");
-            const Point3 place = systems_.to_basic(grid.place_system, grid.place);
+        if (cards_.systems.count() > 0) cards_.systems.resolve(grid_finder(), diagnostics_);
+        builder_.reserve_nodes(cards_.grids.size() + cards_.scalar_points.size());
+        for (const BulkGrid& grid : cards_.grids) {
+            if (!cards_.systems.known(grid.place_system))
+                report_system(grid, grid.place_system, "have no place");
+            const Point3 place = cards_.systems.to_basic(grid.place_system, grid.place);
             // -1 marks grids of a fluid: a pressure has no direction.
             const bool turned = grid.value_system > 0;
-            if (turned && !systems_.known(grid.value_system))
+            if (turned && !cards_.systems.known(grid.value_system))
                 report_system(grid, grid.value_system, "have values along axes that are not known");
             builder_.add_node(
-                NodeId{grid.id}, place, turned ? systems_.angles_at(grid.value_system, place) : NodalAngles{}
+                NodeId{grid.id},
+                place,
+                turned ? cards_.systems.angles_at(grid.value_system, place) : NodalAngles{}
             );
         }
         constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-        for (const std::int64_t point : scalar_points_)
+        // SPOINT cards may overlap, also the ends of ranges.
+        std::ranges::sort(cards_.scalar_points);
+        const auto unused = std::ranges::unique(cards_.scalar_points);
+        cards_.scalar_points.erase(unused.begin(), unused.end());
+        for (const std::int64_t point : cards_.scalar_points)
             builder_.add_node(NodeId{point}, {kNowhere, kNowhere, kNowhere});
         builder_.seal_nodes();
     }
 
-    void report_system(const Grid& grid, std::int64_t system, std::string_view what) {
+    void report_system(const BulkGrid& grid, std::int64_t system, std::string_view what) {
         diagnostics_.add(
             Code::CoordinateSystem,
             [&] { return fmt::format("grid {}", grid.id); },
             fmt::format(
-                "grids that refer to coordinate system {}, which the deck does not define, {}", system, what
+                "grids that refer to coordinate system {}, which is missing or cannot be used, {}",
+                system,
+                what
             )
         );
     }
 
     /// Elements in order; of equal ids the first real element, never a PLOTEL beside one.
     void read_elements() {
-        const auto is_plot = [](const ElementPlace& place) {
+        const auto is_plot = [](const BulkElement& place) {
             return element_cards()[place.card].name.starts_with("PLOTEL");
         };
-        const auto before = [&](const ElementPlace& a, const ElementPlace& b) {
+        const auto before = [&](const BulkElement& a, const BulkElement& b) {
             return std::pair(a.id, is_plot(a)) < std::pair(b.id, is_plot(b));
         };
-        if (!std::ranges::is_sorted(elements_, before)) std::ranges::stable_sort(elements_, before);
+        if (!std::ranges::is_sorted(cards_.elements, before))
+            std::ranges::stable_sort(cards_.elements, before);
         std::int64_t previous = 0;
-        for (const ElementPlace& place : elements_) {
+        for (const BulkElement& place : cards_.elements) {
             const ElementCard& card = element_cards()[place.card];
             if (place.id != previous) {
                 read_element(place, card);
@@ -336,7 +134,7 @@ private:
         }
     }
 
-    void read_element(const ElementPlace& place, const ElementCard& card) {
+    void read_element(const BulkElement& place, const ElementCard& card) {
         CardHead head;
         head.offset = place.offset;
         head.large = place.large;
@@ -375,41 +173,83 @@ private:
 
     PartIndex part_of(const ElementCard& card, std::int64_t element) {
         if (card.property == 0) return builder_.part(card.name);
-        auto property = card_.is_blank(card.property) ? std::optional(kBlank) : card_.integer(card.property);
-        if (property == kBlank && card.name == "CBAR") property = default_bar_;
-        if (property == kBlank && card.name == "CBEAM") property = default_beam_;
+        auto property =
+            card_.is_blank(card.property) ? std::optional(kBlankField) : card_.integer(card.property);
+        if (property == kBlankField && card.name == "CBAR") property = cards_.bar_property;
+        if (property == kBlankField && card.name == "CBEAM") property = cards_.beam_property;
         // Blank: the property has the element's number.
-        const std::int64_t id = property && *property != kBlank ? *property : element;
+        const std::int64_t id = property && *property != kBlankField ? *property : element;
         const bool by_material = card.name == "CTRIAX6";
         if (id != last_property_ || by_material != last_by_material_) {
-            last_part_ = builder_.part(by_material ? fmt::format("material {}", id) : names_.part_name(id));
+            last_part_ =
+                builder_.part(by_material ? fmt::format("material {}", id) : cards_.names.part_name(id));
             last_property_ = id;
             last_by_material_ = by_material;
         }
         return last_part_;
     }
 
-    std::string first_name_;
-    BulkDeck deck_;
+    /// The ids within the ranges of a set, out of all ids in ascending order; at most `room`.
+    template <class Id>
+    std::vector<Id> ids_of(const BulkSet& set, const std::vector<Id>& sorted) {
+        std::vector<Id> ids;
+        for (const auto& [first, last] : set.ranges) {
+            auto at = std::ranges::lower_bound(sorted, Id{first});
+            for (; at != sorted.end() && raw(*at) <= last; ++at) {
+                if (room_for_sets_ == 0) {
+                    diagnostics_.add(
+                        Code::UnknownBlock,
+                        std::string(),
+                        "sets with more members than the deck could hold are cut"
+                    );
+                    return ids;
+                }
+                --room_for_sets_;
+                ids.push_back(*at);
+            }
+        }
+        return ids;
+    }
+
+    void add_grid_sets() {
+        room_for_sets_ = 1'000'000 + 16 * (cards_.grids.size() + cards_.elements.size());
+        std::vector<NodeId> sorted;
+        for (const BulkSet& set : cards_.sets) {
+            if (!set.of_grids) continue;
+            if (sorted.empty()) {
+                for (const BulkGrid& grid : cards_.grids) sorted.push_back(NodeId{grid.id});
+                std::ranges::sort(sorted);
+            }
+            const std::vector<NodeId> ids = ids_of(set, sorted);
+            if (!ids.empty()) builder_.add_node_set(cards_.names.set_name(set.id), ids);
+        }
+    }
+
+    void add_element_sets(Mesh& mesh) {
+        const auto is_of_elements = [](const BulkSet& set) { return !set.of_grids; };
+        if (std::ranges::none_of(cards_.sets, is_of_elements)) return;
+        const ElementLookup lookup(mesh);
+        std::vector<ElementId> sorted;
+        for (const BulkElement& element : cards_.elements) sorted.push_back(ElementId{element.id});
+        for (const BulkSet& set : cards_.sets) {
+            if (!is_of_elements(set)) continue;
+            const std::vector<ElementId> ids = ids_of(set, sorted);
+            add_element_set(mesh, lookup, cards_.names.set_name(set.id), ids);
+        }
+    }
+
+    BulkDeck& deck_;
+    BulkCards cards_;
     Diagnostics& diagnostics_;
     MeshBuilder builder_;
     BulkCard card_;
-    std::uint64_t card_offset_ = 0;
-    const ElementCard* last_card_ = nullptr;
-    std::vector<Grid> grids_;
-    std::vector<std::int64_t> scalar_points_;
-    std::vector<ElementPlace> elements_;
-    CoordinateSystems systems_;
-    PropertyNames names_;
-    std::int64_t default_place_system_ = 0, default_value_system_ = 0;
-    std::int64_t default_bar_ = kBlank, default_beam_ = kBlank;
-    std::int64_t last_property_ = kBlank;
+    std::int64_t last_property_ = kBlankField;
     bool last_by_material_ = false;
     PartIndex last_part_{};
-    BulkModel model_;
+    std::size_t room_for_sets_ = 0;
 };
 
-std::optional<std::int64_t> DeckReader::parse_node(std::string_view field) {
+std::optional<std::int64_t> BulkMeshMaker::parse_node(std::string_view field) {
     std::int64_t value = 0;
     for (const char c : field) {
         if (c < '0' || c > '9' || value > std::numeric_limits<std::int32_t>::max()) return std::nullopt;
@@ -421,7 +261,20 @@ std::optional<std::int64_t> DeckReader::parse_node(std::string_view field) {
 }  // namespace
 
 BulkModel read_bulk(std::vector<Input> decks, IncludeFiles* includes, Diagnostics& diagnostics) {
-    return DeckReader(std::move(decks), includes, diagnostics).read();
+    const std::string name = decks.front().name();
+    BulkDeck deck(std::move(decks), includes, diagnostics);
+    BulkCards cards = read_cards(deck, diagnostics);
+    if (cards.grids.empty() && cards.scalar_points.empty()) {
+        throw Error(
+            Code::NoNodes,
+            name,
+            cards.elements.empty()
+                ? "the deck holds neither GRID nor element cards: it is no model"
+                : "the deck holds elements but no GRID: give the deck that includes it, or the file with the "
+                  "grids too"
+        );
+    }
+    return BulkMeshMaker(deck, std::move(cards), diagnostics).make();
 }
 
 }  // namespace feelem::nastran

@@ -47,7 +47,7 @@ bool is_property_card(std::string_view name) {
            !std::ranges::binary_search(kOtherCards, name);
 }
 
-void PropertyNames::add_comment(std::string_view comment) {
+void DeckNames::add_comment(std::string_view comment) {
     std::string_view rest;
     if (comment.starts_with("$HMNAME PROP") || comment.starts_with("$HMNAME COMP")) {
         const std::string_view name = quoted(comment, rest);
@@ -56,6 +56,9 @@ void PropertyNames::add_comment(std::string_view comment) {
         if (name.empty() || !own) return;
         auto& names = comment[8] == 'C' ? components_ : names_;
         names.emplace(property.value_or(*own), name);
+    } else if (comment.starts_with("$HMSET ")) {
+        const std::string_view name = quoted(comment, rest);
+        if (const auto id = leading_integer(comment.substr(7)); id && !name.empty()) sets_.emplace(*id, name);
     } else if (comment.starts_with("$ Pset:")) {
         const std::string_view name = quoted(comment, rest);
         const std::string_view target = quoted(rest, rest);
@@ -78,13 +81,18 @@ void PropertyNames::add_comment(std::string_view comment) {
     }
 }
 
-void PropertyNames::add_card(std::string_view card, std::int64_t id) {
+void DeckNames::add_card(std::string_view card, std::int64_t id) {
     kinds_.emplace(id, card);
     if (!pending_.empty()) names_.emplace(id, std::move(pending_));
     pending_.clear();
 }
 
-std::string PropertyNames::part_name(std::int64_t id) const {
+std::string DeckNames::set_name(std::int64_t id) const {
+    const auto found = sets_.find(id);
+    return found != sets_.end() ? found->second : fmt::format("set {}", id);
+}
+
+std::string DeckNames::part_name(std::int64_t id) const {
     const auto kind = kinds_.find(id);
     const std::string number = fmt::format("{} {}", kind == kinds_.end() ? "property" : kind->second, id);
     for (const auto* names : {&names_, &components_}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people call properties: pre-processors keep the names in comments, the cards know numbers only.
+// What people call properties and sets: pre-processors keep the names in comments, the cards know numbers
+// only.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 
 namespace feelem::nastran {
 
-class PropertyNames {
+class DeckNames {
 public:
     /// A comment of HyperMesh ($HMNAME), ANSA, Femap or Patran ($ Pset); or Simcenter's "$*  Property: name",
     /// which is meant for the property card that follows.
@@ -19,11 +20,14 @@ public:
 
     /// "wing skin (PSHELL 4)", "PSHELL 4", or "property 4" when the deck has no such card.
     std::string part_name(std::int64_t id) const;
+    /// HyperMesh's name of a set, or "set 5".
+    std::string set_name(std::int64_t id) const;
 
 private:
     std::map<std::int64_t, std::string> kinds_;
     std::map<std::int64_t, std::string> names_;
     std::map<std::int64_t, std::string> components_;  ///< HyperMesh's components, by property.
+    std::map<std::int64_t, std::string> sets_;
     std::string pending_;
 };
 

@@ -2,6 +2,7 @@
 #include "read/nastran/nastran_f06.hpp"
 
 #include "read/nastran/f06_pages.hpp"
+#include "read/nastran/f06_rows.hpp"
 #include "read/nastran/printed_tables.hpp"
 #include "read/text_lines.hpp"
 
