@@ -3,6 +3,7 @@
 #include "read_nastran_op2/op2_answers.hpp"
 #include "support/paths.hpp"
 
+#include "feelem/derive.hpp"
 #include "feelem/read.hpp"
 
 #include <gtest/gtest.h>
@@ -72,6 +73,10 @@ constexpr Printed kPages[]{
     {"axial_stress", Layer::No, "value", 14, 0, 2.432185e+04},
     {"axial_stress", Layer::No, "value", 15, 0, 2.438213e+04},
     {"axial_stress", Layer::No, "value", 13, 0, 1.028287e+04},
+    {"bar_stress", Layer::No, "max", 12, 18, 1.342250e+04},
+    {"bar_stress", Layer::No, "min", 12, 18, 7.048584e+03},
+    {"bar_stress", Layer::No, "max", 12, 22, 1.310919e+04},
+    {"bar_stress", Layer::No, "min", 13, 23, 1.028287e+04},
     {"strain", Layer::No, "xx", 1, 2, -1.347017e-04},
     {"strain", Layer::No, "xy", 1, 2, 1.880528e-06},
     {"strain", Layer::No, "von_mises", 1, 2, 3.989604e-04},
@@ -128,6 +133,21 @@ TEST(NastranOp2, tensors_of_solids_have_the_von_mises_stress_that_the_file_gives
         }
     }
     EXPECT_GT(rows, 1000U);
+}
+
+TEST(NastranOp2, our_average_of_the_corners_is_what_the_solver_gives_as_grid_point_stress) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    Diagnostics diagnostics;
+    const auto model = open_corpus("models/solid_bending/solid_bending_ogs.op2", diagnostics);
+    const Result expected = load(*model, "grid_point_stress", Layer::No);
+    const Result averaged = average(model->mesh(), load(*model, "stress", Layer::No), Averaging::All);
+    ASSERT_EQ(expected.row_count(), model->mesh().node_count());
+    ASSERT_EQ(expected.component_count(), 8U);
+    for (std::size_t row = 0; row < expected.row_count(); ++row) {
+        for (std::size_t c = 0; c < 6; ++c)
+            EXPECT_NEAR(averaged.values[row * 7 + c], expected.values[row * 8 + c], 0.02) << row;
+        EXPECT_NEAR(von_mises_of(&expected.values[row * 8]), expected.values[row * 8 + 7], 0.02);
+    }
 }
 
 /// The plain law of elasticity between the strain and the stress of one row, with the deck's constants.

@@ -93,7 +93,8 @@ private:
             }
             const Words texts = record_words(input_, layout_, i, scratch_);
             ++i;
-            if (nodal_kind(*ident)) {
+            // OGSTR1 are strains at grid points.
+            if (nodal_kind(*ident) && !table.name.starts_with("OGSTR")) {
                 list_block(table, *ident, texts, i);
             } else if (element_layout(*ident) != nullptr) {
                 collect_elements(table, *ident, texts, i);
@@ -183,13 +184,16 @@ private:
         const Texts texts = read_texts(ident_words);
         if (contents_.title.empty()) contents_.title = texts.title;
         steps_.add(step, value_of(ident, step), texts);
-        const ElementLayout* layout = element_layout(ident);
-        const auto bits = ident.stress_bits;
-        ElementGroup& group = groups_.try_emplace({table.name, step, bits, layout->shape}).first->second;
-        group.kind = *stress_kind(ident);
         constexpr int kMagnitudeAndPhase = 3;
-        group.polar = ident.format == kMagnitudeAndPhase;
-        group.blocks.push_back({layout, record});
+        const ElementLayout* layout = element_layout(ident);
+        for (const ElementLayout* one : {layout, ends_layout(*layout)}) {
+            if (one == nullptr) continue;
+            const std::tuple key(table.name, step, ident.stress_bits, one->shape);
+            ElementGroup& group = groups_[key];
+            group.kind = *stress_kind(ident);
+            group.polar = ident.format == kMagnitudeAndPhase;
+            group.blocks.push_back({one, record});
+        }
     }
 
     /// Shells that give their centres alone join those that give corners, where a step has both.
@@ -207,7 +211,8 @@ private:
         for (const auto& [key, group] : groups_) {
             if (group.blocks.empty()) continue;
             const RowShape shape = std::get<RowShape>(key);
-            const bool has_two = shape != RowShape::Solid && shape != RowShape::Bar;
+            const bool has_two =
+                shape != RowShape::Solid && shape != RowShape::Bar && shape != RowShape::BarEnds;
             ElementResult result{
                 std::get<StepKey>(key),
                 quantity_of(shape),
@@ -226,6 +231,7 @@ private:
         case RowShape::SolidComplex: return Quantity::SolidComplex;
         case RowShape::ShellCorner: return Quantity::ShellCorner;
         case RowShape::ShellCentre: return Quantity::ShellCentre;
+        case RowShape::BarEnds: return Quantity::BarEnds;
         default: return Quantity::Axial;
         }
     }
@@ -243,6 +249,10 @@ private:
 
     void list_nodal(const NodalBlock& block, const NodalKind& kind) {
         const auto index = static_cast<std::size_t>(&block - contents_.nodal.data());
+        if (kind.is_stress) {
+            list_grid_stress(index, kind);
+            return;
+        }
         const bool is_scalar = kind.rotation.empty();
         constexpr std::size_t kDegrees = 6;
         for (std::size_t part = 0; part < (block.is_complex() ? 2U : 1U); ++part) {
@@ -252,6 +262,29 @@ private:
         for (std::size_t part = 0; part < (block.is_complex() ? 2U : 1U); ++part) {
             add(index, kind.rotation, part * kDegrees + 3, part, false);
         }
+    }
+
+    /// Averaged by the solver. The tensor counts where it is in the basic system.
+    void list_grid_stress(std::size_t index, const NodalKind& kind) {
+        constexpr int kBasicSystem = 3;
+        const NodalBlock& block = contents_.nodal[index];
+        Listed listed;
+        listed.block = index;
+        ResultInfo& info = listed.info;
+        info.solver_name = block.table;
+        info.step = steps_.index_of(block.step);
+        info.averaging = Averaging::Solver;
+        if (block.ident.output_system == kBasicSystem) {
+            info.shape = Shape::SymmetricTensor;
+            info.components = {"xx", "yy", "zz", "xy", "yz", "zx"};
+        } else {
+            info.shape = Shape::Other;
+            listed.first = 6;
+        }
+        info.components.emplace_back("mean_pressure");
+        info.components.emplace_back(block.ident.stress_bits % 2 != 0 ? "von_mises" : "octahedral_shear");
+        info.name = unique_name(info, kind.name);
+        contents_.results.push_back(std::move(listed));
     }
 
     void add(std::size_t index, std::string_view name, std::size_t first, std::size_t part, bool is_scalar) {

@@ -24,6 +24,9 @@ constexpr std::size_t kShellHead = 2;  ///< Number, "CEN/".
 constexpr std::size_t kShellPoint = 17;
 constexpr std::size_t kFibreWords = 8;
 
+constexpr std::size_t kBeamStation =
+    10;  ///< Grid (0: between the ends), place, four fibres, largest, smallest, margins.
+
 constexpr ElementLayout solid(int type, std::size_t corners) {
     return {type, RowShape::Solid, corners, kSolidHead + kSolidPoint * (corners + 1), kSolidPoint};
 }
@@ -39,14 +42,16 @@ constexpr ElementLayout centre(int type) {
 }
 
 constexpr std::array kLayouts{
-    ElementLayout{1, RowShape::Bar, 1, 5, 0},    // CROD
-    ElementLayout{3, RowShape::Bar, 1, 5, 0},    // CTUBE
-    ElementLayout{10, RowShape::Bar, 1, 5, 0},   // CONROD
-    ElementLayout{34, RowShape::Bar, 5, 16, 0},  // CBAR
-    solid(39, 4),                                // CTETRA
-    solid(67, 8),                                // CHEXA
-    solid(68, 6),                                // CPENTA
-    solid(255, 5),                               // CPYRAM
+    ElementLayout{1, RowShape::Bar, 1, 5, 0},   // CROD
+    ElementLayout{3, RowShape::Bar, 1, 5, 0},   // CTUBE
+    ElementLayout{10, RowShape::Bar, 1, 5, 0},  // CONROD
+    ElementLayout{34, RowShape::Bar, 5, 16, 0},
+    ElementLayout{34, RowShape::BarEnds, 2, 16, 0},
+    ElementLayout{2, RowShape::BarEnds, 11, 111, kBeamStation},  // CBAR
+    solid(39, 4),                                                // CTETRA
+    solid(67, 8),                                                // CHEXA
+    solid(68, 6),                                                // CPENTA
+    solid(255, 5),                                               // CPYRAM
     complex_solid(39, 4, 13),
     complex_solid(39, 4, 14),
     complex_solid(67, 8, 13),
@@ -92,6 +97,7 @@ public:
         case RowShape::Solid: read_solid(row, layout, element); break;
         case RowShape::ShellCorner: read_shell(row, layout, element); break;
         case RowShape::ShellCentre: read_centre(row, element); break;
+        case RowShape::BarEnds: read_ends(row, layout, element); break;
         case RowShape::Bar: put(row, std::array{layout.corners}, values_.values.data() + raw(element)); break;
         }
     }
@@ -110,6 +116,7 @@ private:
         case Quantity::SolidCorner: return kSolidColumns.size();
         case Quantity::SolidComplex: return kComplexColumns[0].size();
         case Quantity::Axial: return 1;
+        case Quantity::BarEnds: return 2;
         default: return kShellColumns.size();
         }
     }
@@ -186,6 +193,22 @@ private:
             put(fibre, kShellColumns, add_row(element, node));
     }
 
+    void read_ends(const Words& row, const ElementLayout& layout, ElementIndex element) {
+        constexpr std::array<std::array<std::size_t, 2>, 2> kBarColumns{{{6, 7}, {13, 14}}};
+        constexpr std::array<std::size_t, 2> kBeamColumns{6, 7};
+        for (std::size_t i = 0; i < layout.corners; ++i) {
+            if (layout.point_words == 0) {
+                const auto nodes = element_at(mesh_, element).nodes();
+                if (i < nodes.size()) put(row, kBarColumns[i], add_row(element, nodes[i]));
+                continue;
+            }
+            const Words station = row.part(1 + i * kBeamStation, kBeamStation);
+            if (station.integer(0) == 0) continue;
+            const NodeIndex node = corner(station.integer(0), element);
+            if (node != kNoNode) put(station, kBeamColumns, add_row(element, node));
+        }
+    }
+
     void sort_rows() {
         const auto key = [&](std::size_t row) {
             return std::pair(values_.row_owner[row], values_.row_node[row]);
@@ -219,6 +242,14 @@ const ElementLayout* element_layout(const Ident& ident) {
     const auto found = std::ranges::find_if(kLayouts, [&](const ElementLayout& layout) {
         return layout.type == ident.element_type && layout.row_words == ident.row_words &&
                (layout.shape == RowShape::SolidComplex) == ident.is_complex;
+    });
+    return found == kLayouts.end() ? nullptr : &*found;
+}
+
+const ElementLayout* ends_layout(const ElementLayout& layout) {
+    if (layout.shape != RowShape::Bar) return nullptr;
+    const auto found = std::ranges::find_if(kLayouts, [&](const ElementLayout& other) {
+        return other.type == layout.type && other.shape == RowShape::BarEnds;
     });
     return found == kLayouts.end() ? nullptr : &*found;
 }
@@ -294,6 +325,10 @@ ResultInfo element_info(const ElementResult& result) {
                                          : (result.polar ? Complex::Phase : Complex::Imaginary);
         break;
     case Quantity::Axial: info.components = {"value"}; break;
+    case Quantity::BarEnds:
+        info.shape = Shape::Other;
+        info.components = {"max", "min"};
+        break;
     default:
         info.shape = Shape::Other;
         info.components = {kind.von_mises ? "von_mises" : "max_shear", "major", "minor"};
@@ -307,6 +342,7 @@ ResultInfo element_info(const ElementResult& result) {
     if (is_shell && kind.curvature && result.fibre == 0) info.layer = Layer::Middle;
     info.name = kind.strain ? "strain" : "stress";
     if (result.quantity == Quantity::Axial) info.name = "axial_" + info.name;
+    if (result.quantity == Quantity::BarEnds) info.name = "bar_" + info.name;
     if (is_shell && kind.curvature && result.fibre == 1) info.name = "curvature";
     return info;
 }

@@ -27,6 +27,7 @@ enum class RowShape : std::uint8_t {
     ShellCorner,   ///< Centre and corners, two fibres each.
     ShellCentre,   ///< Centre only, two fibres.
     Bar,           ///< One axial number at a place.
+    BarEnds,       ///< Largest and smallest at both ends.
 };
 
 /// What is listed of a kind of element.
@@ -40,13 +41,17 @@ struct ElementLayout {
 /// Nothing when the block holds no stresses or strains that Feelem knows.
 const ElementLayout* element_layout(const Ident& ident);
 
+/// The ends of bars whose axial number is what `layout` lists; null for all others.
+const ElementLayout* ends_layout(const ElementLayout& layout);
+
 /// What becomes one result: elements of several types together.
 enum class Quantity : std::uint8_t {
     SolidCorner,
     SolidComplex,
     ShellCorner,
     ShellCentre,
-    Axial
+    Axial,
+    BarEnds
 };
 
 /// What the last columns and the fibres hold, from word 11 of the ident.

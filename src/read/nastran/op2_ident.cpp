@@ -69,6 +69,7 @@ std::optional<Ident> read_ident(const Words& words) {
     ident.format = static_cast<int>(words.integer(8));
     ident.row_words = static_cast<std::size_t>(row);
     ident.stress_bits = static_cast<int>(words.integer(10));
+    ident.output_system = static_cast<int>(words.integer(11));
     ident.thermal = static_cast<int>(words.integer(22));
     return ident;
 }

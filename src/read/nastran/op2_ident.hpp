@@ -29,6 +29,7 @@ struct Ident {
     int format = 0;                 ///< 9: 1 real, 2 real and imaginary, 3 magnitude and phase.
     std::size_t row_words = 0;      ///< 10
     int stress_bits = 0;            ///< 11
+    int output_system = 0;          ///< 12, grid point stresses: 3 the basic one.
     int thermal = 0;                ///< 23: 1 heat transfer; more: response spectra.
 };
 

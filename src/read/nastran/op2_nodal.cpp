@@ -13,7 +13,8 @@
 namespace feelem::op2 {
 namespace {
 
-constexpr std::size_t kFirstNumber = 2;  ///< After id * 10 + device and the kind of point.
+constexpr int kGridStressCode = 27;
+constexpr std::size_t kGridStressRow = 9;
 constexpr std::size_t kRealRow = 8;
 constexpr std::size_t kComplexRow = 14;
 
@@ -92,6 +93,8 @@ private:
 std::optional<NodalKind> nodal_kind(const Ident& ident) {
     constexpr int kHeatTransfer = 1;
     if (ident.random || (ident.thermal != 0 && ident.thermal != kHeatTransfer)) return {};
+    if (ident.table_code == kGridStressCode && ident.row_words == kGridStressRow && !ident.sort2)
+        return NodalKind{"grid_point_stress", {}, true};
     if (ident.row_words != kRealRow && ident.row_words != kComplexRow) return {};
     for (const KindRow& kind : kKinds) {
         if (kind.code != ident.table_code) continue;
@@ -103,6 +106,11 @@ std::optional<NodalKind> nodal_kind(const Ident& ident) {
 
 bool NodalBlock::is_complex() const {
     return ident.row_words == kComplexRow;
+}
+
+std::size_t NodalBlock::first_number() const {
+    // id * 10 + device and, but for stresses, the kind of point.
+    return ident.table_code == kGridStressCode ? 1 : 2;
 }
 
 NodalValues read_nodal(
@@ -124,7 +132,7 @@ NodalValues read_nodal(
             return;
         }
         for (std::size_t c = 0; c < columns; ++c) {
-            const auto value = static_cast<float>(row.real(kFirstNumber + first + c));
+            const auto value = static_cast<float>(row.real(block.first_number() + first + c));
             if (std::isfinite(value)) out.values[raw(node) * columns + c] = value;
             if (!std::isfinite(value)) ++out.without_number;
         }

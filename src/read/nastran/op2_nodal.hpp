@@ -16,10 +16,12 @@
 
 namespace feelem::op2 {
 
-/// What a table code means, in docs/cli.md's names. Six numbers a row: translations, then rotations.
+/// What a table code means, in docs/cli.md's names. Six numbers a row: translations, then rotations. Grid
+/// point stresses have eight: the tensor, mean pressure and the equivalent stress.
 struct NodalKind {
     std::string_view name;
     std::string_view rotation;
+    bool is_stress = false;
 };
 /// Nothing when the table lists no grid points that Feelem knows.
 std::optional<NodalKind> nodal_kind(const Ident& ident);
@@ -36,7 +38,9 @@ struct NodalBlock {
     /// Tables whose name starts with B are in the basic system, all others in the grids' own.
     bool is_basic() const { return table.starts_with('B'); }
     bool is_complex() const;
-    std::size_t row_words() const { return is_complex() ? 14 : 8; }
+    std::size_t row_words() const { return ident.row_words; }
+    /// Word of a row's first number.
+    std::size_t first_number() const;
 };
 
 struct NodalValues {
