@@ -4,10 +4,11 @@ import { attachKeyboard, type KeyCommand } from "../input/keyboard";
 import { findElement, findNode, type Place } from "../probe";
 import { Stage } from "../render";
 import type { SceneData } from "../scene";
-import type { Actions, ViewName } from "../ui";
+import type { Actions, PaletteEntry, ViewName } from "../ui";
 import type { ApiSource, PageState } from "./api";
 import { attachDeskPointer } from "./desk-pointer";
 import type { Feature } from "./features/feature";
+import type { Links } from "./features/links";
 import { makeFeatures } from "./features/list";
 import { firstState } from "./first-state";
 import { keyCommands } from "./keys";
@@ -85,6 +86,9 @@ export class App implements ApiSource {
   async start(): Promise<void> {
     await this.view.refresh();
     this.fit();
+    const links = this.feature<Links>("links");
+    await links.read();
+    this.stage.orbit.onMove(() => links.later());
     await this.view.picker.build();
     await this.#vr.ask();
   }
@@ -151,6 +155,28 @@ export class App implements ApiSource {
     else this.probing.remove(PIN);
     if (place) turnTo(this.stage, this.view, place);
     this.invalidate();
+  }
+
+  /** Marks a place; the camera stays. */
+  mark(place: Place): void {
+    this.probing.move(PIN, "keyboard", place);
+    this.invalidate();
+  }
+
+  /** Something to undo when the app ends. */
+  atEnd(remove: () => void): void {
+    this.#removals.push(remove);
+  }
+
+  showPalette(find: (typed: string) => PaletteEntry[]): void {
+    this.#page.palette.show(find);
+  }
+
+  /** A presentation from a file; with the view that it was saved with, if it has one. */
+  openPresentation(value: unknown): void {
+    const links = this.feature<Links>("links");
+    const view = (value as { view?: { page?: unknown } } | null)?.view?.page;
+    links.show({ ...(typeof view === "object" ? view : {}), doc: value });
   }
 
   /** Marks a place and, at the desk, brings the camera before it. */

@@ -27,6 +27,8 @@ import {
   triadTemplate,
 } from "../ui";
 
+import { PaletteView } from "./palette-view";
+
 /** Speech follows at most twice a second. */
 const SAY_EVERY_MS = 500;
 
@@ -46,6 +48,7 @@ function child(className: string, host: HTMLElement): HTMLElement {
 
 export class Page {
   readonly stageHost: HTMLElement;
+  readonly palette: PaletteView;
   readonly #top: HTMLElement;
   readonly #left: HTMLElement;
   readonly #right: HTMLElement;
@@ -64,6 +67,7 @@ export class Page {
 
   constructor(host: HTMLElement) {
     host.replaceChildren();
+    this.palette = new PaletteView(host);
     this.#top = area("top", host);
     this.#left = area("left", host);
     this.stageHost = area("stage", host);

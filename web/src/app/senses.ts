@@ -15,6 +15,8 @@ const SENSED = ["colour", "pitch", "ticks", "pulses"] as const;
 /** Less than this of the range, and of the model's size, is standing still. */
 const STILL_VALUE = 0.005;
 const STILL_PLACE = 0.0025;
+/** Browsers let a page sound from the person's first gesture on. */
+const WAKING = ["pointerdown", "keydown"] as const;
 const scratch = new Vector3();
 
 /** Whether a pointer rests: place and value have not changed to speak of. */
@@ -54,6 +56,7 @@ export class Senses {
   #context: AudioContext | null = null;
   #sound: Sound | null = null;
   #stopWatching: () => void;
+  readonly #stopWaking: () => void;
 
   constructor(view: ModelView, probing: Probing, store: Store, stage: Stage) {
     this.#view = view;
@@ -64,7 +67,10 @@ export class Senses {
     stage.onFrame(() => this.#frame(performance.now() / 1000));
     store.subscribe((state) => this.#sound?.setMuted(!state.sound));
     const wake = () => this.wake();
-    for (const kind of ["pointerdown", "keydown"]) window.addEventListener(kind, wake);
+    for (const kind of WAKING) window.addEventListener(kind, wake);
+    this.#stopWaking = () => {
+      for (const kind of WAKING) window.removeEventListener(kind, wake);
+    };
   }
 
   /** Sound needs a gesture of the person: call this from one. */
@@ -197,6 +203,7 @@ export class Senses {
 
   dispose(): void {
     this.#stopWatching();
+    this.#stopWaking();
     this.#sound?.dispose();
     void this.#context?.close();
   }

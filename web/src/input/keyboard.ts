@@ -16,14 +16,17 @@ export function attachKeyboard(commands: readonly KeyCommand[]): () => void {
   const held = new Map<string, KeyCommand>();
   const find = (key: string) =>
     commands.find((c) => c.keys.includes(key.length === 1 ? key.toLowerCase() : key));
+  const chord = (event: KeyboardEvent) => `ctrl+${event.shiftKey ? "shift+" : ""}${event.key.toLowerCase()}`;
   const down = (event: KeyboardEvent) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.altKey) return;
     const target = event.target instanceof Element ? event.target : null;
-    if (target?.matches(TYPING)) return;
+    const isPalette = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "k";
+    if (target?.matches(TYPING) && !isPalette) return;
     if (event.key.startsWith("Arrow") && target?.matches("input, summary")) return;
     if (event.key === " " && target?.closest("button, summary, [role=button]")) return;
-    const command = find(event.key);
-    if (!command) return;
+    const withControl = event.ctrlKey || event.metaKey;
+    const command = withControl ? commands.find((c) => c.keys.includes(chord(event))) : find(event.key);
+    if (!command || target?.closest("dialog")) return;
     event.preventDefault();
     if (event.repeat && command.up) return;
     if (command.up) held.set(event.key.toLowerCase(), command);

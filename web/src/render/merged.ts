@@ -88,6 +88,8 @@ function merge(pieces: readonly Piece[], numbers: readonly number[]): Merged {
   geometry.setAttribute("owner", owner);
   geometry.setAttribute("displacement", changing(first, 3));
   geometry.setIndex(list);
+  // Asked for when it is drawn, and then the places are with the card.
+  geometry.computeBoundingSphere();
   return { geometry, slices };
 }
 

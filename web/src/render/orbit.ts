@@ -17,6 +17,7 @@ export class Orbit {
   readonly #camera: PerspectiveCamera;
   #radius = 1;
   #changed: () => void;
+  readonly #moved = new Set<() => void>();
   /** What was fitted last, while nobody has moved the camera since. */
   #fitted: Box3 | null = null;
 
@@ -80,6 +81,20 @@ export class Orbit {
     this.apply();
   }
 
+  onMove(listener: () => void): void {
+    this.#moved.add(listener);
+  }
+
+  /** Target, yaw, pitch and distance as `target`, `yaw` … once were. */
+  place([x, y, z, yaw, pitch, distance]: readonly [number, number, number, number, number, number]): void {
+    this.#fitted = null;
+    this.target.set(x, y, z);
+    this.yaw = yaw;
+    this.pitch = Math.min(Math.max(pitch, -HALF_TURN), HALF_TURN);
+    this.distance = distance;
+    this.apply();
+  }
+
   /** Looks at a point from so far; the direction stays. */
   goTo(point: Vector3, distance: number): void {
     this.#fitted = null;
@@ -113,5 +128,6 @@ export class Orbit {
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
     this.#changed();
+    for (const listener of this.#moved) listener();
   }
 }

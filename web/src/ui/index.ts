@@ -19,6 +19,7 @@ export {
   type SaveModel,
   saveTemplate,
 } from "./note-list";
+export { found, matching, type PaletteEntry, paletteTemplate } from "./palette";
 export { type PartListActions, type PartRow, partListTemplate } from "./part-list";
 export { type CardModel, type CardRow, cardSentence, cardTemplate } from "./probe-card";
 export { COLUMNS, resultTableTemplate, type TableModel } from "./result-table";

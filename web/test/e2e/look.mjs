@@ -239,7 +239,7 @@ export const lookTests = [
     async run({ browser, serveTiny }) {
       const { url, bytes, close } = await serveTiny({ bars: 200, cells: [2, 1, 1] });
       assert.equal(readScene(bytes).parts.length, 200);
-      const { page, context } = await openPage(browser, url);
+      const { page, context, problems } = await openPage(browser, url);
       const calls = await page.evaluate(
         () =>
           new Promise((resolve) => {
@@ -258,6 +258,7 @@ export const lookTests = [
           }),
       );
       assert.ok(calls >= 1 && calls <= 6, `${calls} draw calls`);
+      assert.deepEqual(problems, []);
       await context.close();
       await close();
     },

@@ -11,6 +11,7 @@ import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
 import { programTests } from "./program.mjs";
 import { serve } from "./server.mjs";
+import { shareTests } from "./share.mjs";
 import { timeTests } from "./time.mjs";
 import { vrTests } from "./vr.mjs";
 
@@ -48,6 +49,7 @@ for (const { name, run, skip } of [
   ...lookTests,
   ...timeTests,
   ...keepTests,
+  ...shareTests,
   ...vrTests,
   ...programTests,
 ]) {

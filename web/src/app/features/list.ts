@@ -7,7 +7,9 @@ import type { Feature } from "./feature";
 import { History } from "./history";
 import { HotSpots } from "./hot-spots";
 import { Limits } from "./limits";
+import { Links } from "./links";
 import { Notes } from "./notes";
+import { Palette } from "./palette";
 import { Parts } from "./parts";
 import { Save } from "./save";
 import { Variants } from "./variants";
@@ -23,5 +25,7 @@ export function makeFeatures(app: App): readonly Feature[] {
     new Difference(app),
     new Notes(app),
     new Save(app),
+    new Links(app),
+    new Palette(app),
   ];
 }

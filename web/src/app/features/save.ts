@@ -8,6 +8,7 @@ import { type Separator, tableLines, tablePieces } from "../table";
 import { historyTable, nodeTable, placeTable } from "../tables";
 import type { Feature } from "./feature";
 import type { History } from "./history";
+import type { Links } from "./links";
 
 export type Saved = "picture" | "nodes" | "places" | "history" | "presentation";
 const TABLES = { nodes: nodeTable, places: placeTable, history: historyTable };
@@ -29,7 +30,10 @@ export class Save implements Feature {
         return;
       }
       if (what === "presentation") {
-        const text = `${JSON.stringify(this.#app.store.state.doc, null, 2)}\n`;
+        const { doc } = this.#app.store.state;
+        const { doc: _, ...page } = this.#app.feature<Links>("links").view();
+        const view = { ...(typeof doc.view === "object" ? doc.view : {}), page };
+        const text = `${JSON.stringify({ ...doc, view }, null, 2)}\n`;
         saveFile(`${stem}.presentation.json`, new Blob([text], { type: "application/json" }));
         return;
       }
