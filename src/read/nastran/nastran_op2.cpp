@@ -146,11 +146,18 @@ private:
     /// Without geometry the ids of the results are all that is known: their places are missing.
     Mesh nodes_of_results() {
         std::vector<NodeId> ids;
-        for (const NodalBlock& block : contents_.nodal) {
-            if (block.row == 0) collect_ids(input_, layout_, block, ids);
+        const auto tidy = [&] {
             std::ranges::sort(ids);
             ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        };
+        std::size_t limit = 0;
+        for (const NodalBlock& block : contents_.nodal) {
+            collect_ids(input_, layout_, block, ids);
+            if (ids.size() < limit) continue;
+            tidy();
+            limit = 2 * ids.size() + 1000;
         }
+        tidy();
         constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
         MeshBuilder builder(diagnostics_);
         builder.reserve_nodes(ids.size());

@@ -33,10 +33,7 @@ std::string lower(std::string_view text) {
 std::string unused_text(const std::string& table, const Ident& ident) {
     if (ident.element_type == 0)
         return fmt::format("{}: blocks of kind {} are not used", table, ident.table_code);
-    const char* form = ident.sort2        ? ", sorted by element,"
-                       : ident.is_complex ? ", complex,"
-                       : ident.random     ? ", random,"
-                                          : "";
+    const char* form = ident.sort2 ? ", sorted by element," : ident.is_complex ? ", complex," : "";
     return fmt::format("{}: values of elements of type {}{} are not used", table, ident.element_type, form);
 }
 
@@ -79,7 +76,7 @@ private:
     void list_table(const Table& table) {
         by_node_.clear();
         for (std::size_t i = table.first_record; i < table.last_record; ++i) {
-            const auto ident = read_ident(record_words(input_, layout_, i, scratch_));
+            const auto ident = read_ident(record_head(input_, layout_, i, kIdentWords + 1, scratch_));
             if (!ident) {
                 report_unused(table.name + " holds records that Feelem does not use");
                 continue;
@@ -117,7 +114,7 @@ private:
             list_sorted_by_node(table, ident, texts, record);
             return;
         }
-        NodalBlock block{ident, step_of(ident), table.name, {record}, {}, 0};
+        NodalBlock block{ident, step_of(ident), table.name, record, nullptr, 0};
         if (is_written_before(block)) return;
         steps_.add(block.step, value_of(ident, block.step), texts);
         contents_.nodal.push_back(std::move(block));
@@ -126,35 +123,35 @@ private:
     /// Some runs write a table twice, byte for byte.
     bool is_written_before(const NodalBlock& block) {
         const auto key = std::tuple(block.table, block.ident.table_code, block.step);
-        const auto [found, is_new] = written_.try_emplace(key, block.records.front());
-        if (is_new || layout_.record_bytes(found->second) != layout_.record_bytes(block.records.front()))
-            return false;
+        const auto [found, is_new] = written_.try_emplace(key, block.record);
+        if (is_new || layout_.record_bytes(found->second) != layout_.record_bytes(block.record)) return false;
         std::vector<std::byte> scratch;
         const Words before = record_words(input_, layout_, found->second, scratch);
-        const Words now = record_words(input_, layout_, block.records.front(), scratch_);
+        const Words now = record_words(input_, layout_, block.record, scratch_);
         return std::ranges::equal(before.bytes(), now.bytes());
     }
 
-    /// The first node's rows say which steps there are.
+    /// The longest rows of a node say which steps there are.
     void list_sorted_by_node(const Table& table, const Ident& ident, const Texts& texts, std::size_t record) {
-        const auto key = std::tuple(ident.subcase, ident.approach, ident.table_code, ident.row_words);
-        auto [found, is_new] = by_node_.try_emplace(key);
-        std::vector<std::size_t>& blocks = found->second;
-        if (is_new) {
-            NodalBlock block{ident, {}, table.name, {}, {}, 0};
-            const std::size_t width = block.row_words();
-            const Words words = record_words(input_, layout_, record, scratch_);
-            for (std::size_t at = 0; at + width <= words.count(); at += width) {
-                block.step = step_of_row(ident, words.part(at, width));
-                block.row = at / width;
-                steps_.add(block.step, block.step.value, texts);
-                blocks.push_back(contents_.nodal.size());
-                contents_.nodal.push_back(block);
+        constexpr std::size_t kMostSteps = 100000;
+        NodeGroup& group = by_node_[{ident.subcase, ident.approach, ident.table_code, ident.row_words}];
+        if (group.records == nullptr) group.records = std::make_shared<std::vector<NodeRecord>>();
+        group.records->push_back({ident.integer5 / 10, record});
+        if (layout_.record_bytes(record) <= group.longest) return;
+        group.longest = layout_.record_bytes(record);
+        NodalBlock block{ident, {}, table.name, 0, group.records, 0};
+        const std::size_t width = block.row_words();
+        const Words words = record_words(input_, layout_, record, scratch_);
+        for (std::size_t at = 0; at + width <= words.count(); at += width) {
+            block.step = step_of_row(ident, words.part(at, width));
+            block.row = at / width;
+            if (group.steps.size() >= kMostSteps) {
+                report_unused(table.name + " has more steps than Feelem takes");
+                return;
             }
-        }
-        for (const std::size_t i : blocks) {
-            contents_.nodal[i].records.push_back(record);
-            contents_.nodal[i].nodes.push_back(ident.integer5 / 10);
+            if (!group.steps.insert(block.step).second) continue;
+            steps_.add(block.step, block.step.value, texts);
+            contents_.nodal.push_back(block);
         }
     }
 
@@ -317,8 +314,9 @@ private:
         if (take(std::string(name))) return std::string(name);
         const std::string with_table = fmt::format("{}_{}", name, lower(info.solver_name));
         if (take(with_table)) return with_table;
-        for (int number = 2;; ++number) {
-            std::string numbered = fmt::format("{}_{}", with_table, number);
+        int& number = repeats_[{info.step, with_table}];
+        for (number = std::max(number, 1);;) {
+            std::string numbered = fmt::format("{}_{}", with_table, ++number);
             if (take(numbered)) return numbered;
         }
     }
@@ -328,7 +326,13 @@ private:
     Diagnostics& diagnostics_;
     Contents contents_;
     StepList steps_;
-    std::map<std::tuple<std::int32_t, int, int, std::size_t>, std::vector<std::size_t>> by_node_;
+    struct NodeGroup {
+        std::shared_ptr<std::vector<NodeRecord>> records;
+        std::set<StepKey> steps;
+        std::size_t longest = 0;  ///< Bytes of a node's rows.
+    };
+    std::map<std::tuple<std::int32_t, int, int, std::size_t>, NodeGroup> by_node_;
+    std::map<std::pair<std::uint32_t, std::string>, int> repeats_;
     std::set<std::tuple<std::uint32_t, Complex, Layer, std::string>> names_;
     struct ElementGroup {
         StressKind kind;

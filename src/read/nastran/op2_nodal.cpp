@@ -42,25 +42,26 @@ public:
     template <class Each>
     void rows(const Each& each) {
         const std::size_t width = block_.row_words();
-        for (std::size_t i = 0; i < block_.records.size(); ++i) {
-            const std::size_t record = block_.records[i];
-            const std::size_t words = layout_.record_bytes(record) / layout_.form.size;
-            if (words % width != 0) bad_length(i, words);
-            if (block_.nodes.empty()) {
-                for_each_row(input_, layout_, record, width, [&](const Words& row) {
-                    each(NodeId{row.integer(0) / 10}, row);
-                });
-                continue;
-            }
-            const Words rows_of_node = record_words(input_, layout_, record, scratch_);
+        if (block_.by_node == nullptr) {
+            check_length(block_.record);
+            for_each_row(input_, layout_, block_.record, width, [&](const Words& row) {
+                each(NodeId{row.integer(0) / 10}, row);
+            });
+            return;
+        }
+        for (const NodeRecord& one : *block_.by_node) {
+            check_length(one.record);
+            const Words rows_of_node = record_words(input_, layout_, one.record, scratch_);
             if (const auto at = row_of_step(rows_of_node, width))
-                each(NodeId{block_.nodes[i]}, rows_of_node.part(*at, width));
+                each(NodeId{one.node}, rows_of_node.part(*at, width));
         }
     }
 
 private:
-    [[noreturn]] void bad_length(std::size_t i, std::size_t words) const {
-        const auto segments = layout_.record(block_.records[i]);
+    void check_length(std::size_t record) const {
+        const std::size_t words = layout_.record_bytes(record) / layout_.form.size;
+        if (words % block_.row_words() == 0) return;
+        const auto segments = layout_.record(record);
         throw Error(
             Code::BadStructure,
             input_.where_byte(segments.empty() ? 0 : segments.front().first),
@@ -143,15 +144,20 @@ NodalValues read_nodal(
 void collect_ids(
     const Input& input, const Layout& layout, const NodalBlock& block, std::vector<NodeId>& ids
 ) {
-    RowReader(input, layout, block).rows([&](NodeId id, const Words&) { ids.push_back(id); });
+    if (block.by_node != nullptr) {
+        // Once for all steps of the table.
+        if (block.row != 0) return;
+        for (const NodeRecord& one : *block.by_node) ids.push_back(NodeId{one.node});
+        return;
+    }
+    for_each_row(input, layout, block.record, block.row_words(), [&](const Words& row) {
+        ids.push_back(NodeId{row.integer(0) / 10});
+    });
 }
 
 std::uint64_t row_count(const Layout& layout, const NodalBlock& block) {
-    if (!block.nodes.empty()) return block.nodes.size();
-    std::uint64_t rows = 0;
-    for (const std::size_t record : block.records)
-        rows += layout.record_bytes(record) / layout.form.size / block.row_words();
-    return rows;
+    if (block.by_node != nullptr) return block.by_node->size();
+    return layout.record_bytes(block.record) / layout.form.size / block.row_words();
 }
 
 }  // namespace feelem::op2

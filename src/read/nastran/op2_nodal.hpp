@@ -9,6 +9,7 @@
 #include "feelem/result.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,14 +27,20 @@ struct NodalKind {
 /// Nothing when the table lists no grid points that Feelem knows.
 std::optional<NodalKind> nodal_kind(const Ident& ident);
 
+/// The rows of one node in a table that is sorted by node.
+struct NodeRecord {
+    std::int64_t node = 0;
+    std::size_t record = 0;
+};
+
 /// One step's rows: a whole record when the table is sorted by step, else one row of each of several records.
 struct NodalBlock {
     Ident ident;
     StepKey step;
     std::string table;
-    std::vector<std::size_t> records;  ///< Of data.
-    std::vector<std::int64_t> nodes;   ///< Sorted by node: one a record; else empty.
-    std::size_t row = 0;               ///< Sorted by node: which row of each record, as a rule.
+    std::size_t record = 0;                            ///< Sorted by step: the data.
+    std::shared_ptr<std::vector<NodeRecord>> by_node;  ///< Sorted by node, shared by all steps; else null.
+    std::size_t row = 0;                               ///< Sorted by node: where it stands, as a rule.
 
     /// Tables whose name starts with B are in the basic system, all others in the grids' own.
     bool is_basic() const { return table.starts_with('B'); }
