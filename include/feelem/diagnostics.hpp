@@ -58,6 +58,7 @@ enum class Code : std::uint16_t {
     SeveralValuesAtNode,
     TruncatedInput,
     LargeRounding,
+    IdsOffset,
 };
 
 enum class Severity : std::uint8_t {

@@ -173,6 +173,11 @@ constexpr std::array kTable{
         "large_rounding",
         Severity::Note,
         "Coordinates are far from the origin; they were shifted before rounding to float."},
+    CodeInfo{
+        Code::IdsOffset,
+        "ids_offset",
+        Severity::Note,
+        "Instances repeat ids; an offset, which is stated, was added to those of the later ones."},
 };
 
 constexpr std::size_t kMostTextsOfACode = 200;

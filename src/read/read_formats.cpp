@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of readers: a new one is a folder beside this file and one line here.
+#include "read/abaqus/abaqus_deck.hpp"
 #include "read/ansys/ansys_cdb.hpp"
 #include "read/ansys/ansys_lists.hpp"
 #include "read/ansys/ansys_rst.hpp"
@@ -21,6 +22,7 @@ std::span<const ReadFormat> read_format_list() {
         calculix_frd_format(),
         ansys_cdb_format(),
         unv_format(),
+        abaqus_deck_format(),
         ansys_lists_format(),
         nastran_bulk_format(),
         nastran_op2_format(),

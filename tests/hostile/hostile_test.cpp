@@ -138,8 +138,8 @@ std::vector<Case> cases_below(const std::string& root, std::uint64_t largest) {
         std::string bytes = test::read_file(path);
         const ReadFormat* format = reader_of(bytes);
         if (format == nullptr) continue;
-        // Result files in one folder are many models here.
-        const bool one_model = format->many_inputs && format->info.id != "ansys-rst";
+        // Result files and decks in one folder are many models here.
+        const bool one_model = format->many_inputs && format->info.id == "ansys-lists";
         if (one_model) listings[entry.path().parent_path().string()].push_back(cases.size());
         cases.push_back({fs::relative(path, root).string(), {{path, std::move(bytes)}}});
     }
@@ -181,6 +181,7 @@ TEST_F(Hostile, shipped_files_cut_and_damaged_are_survived) {
     expect_survival_below(test::project_file("tests/data/nastran"));
     expect_survival_below(test::project_file("tests/data/unv"));
     expect_survival_below(test::project_file("tests/data/ansys"));
+    expect_survival_below(test::project_file("tests/data/abaqus"));
 }
 
 TEST_F(Hostile, corpus_of_calculix_cut_and_damaged_is_survived) {
@@ -197,6 +198,12 @@ TEST_F(Hostile, corpus_of_ansys_cut_and_damaged_is_survived) {
 
 TEST_F(Hostile, corpus_of_nastran_cut_and_damaged_is_survived) {
     const auto corpus = test::corpus_file("nastran");
+    if (!corpus) GTEST_SKIP() << "the corpus is not here";
+    expect_survival_below(*corpus);
+}
+
+TEST_F(Hostile, corpus_of_abaqus_cut_and_damaged_is_survived) {
+    const auto corpus = test::corpus_file("abaqus");
     if (!corpus) GTEST_SKIP() << "the corpus is not here";
     expect_survival_below(*corpus);
 }

@@ -227,9 +227,14 @@ TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
     page += table_of(files_below(corpus, "nastran/models", ".op2"), corpus, unsound);
     page += "## Universal files\n\n";
     page += table_of(single_files(corpus, "unv", ".unv"), corpus, unsound);
+    page += "## Abaqus and CalculiX: decks\n\n";
+    page += table_of(files_below(corpus, "abaqus", ".inp"), corpus, unsound);
+    page += table_of(single_files(corpus, "calculix/test", ".inp"), corpus, unsound);
+    page += table_of(single_files(corpus, "unv", ".inp"), corpus, unsound);
     page += "## The boiler in exchange formats\n\n";
     page += table_of(single_files(corpus, "converted", ".unv"), corpus, unsound);
     page += table_of(single_files(corpus, "converted", ".bdf"), corpus, unsound);
+    page += table_of(single_files(corpus, "converted", ".inp"), corpus, unsound);
     page.pop_back();
 
     EXPECT_FALSE(unsound) << page;

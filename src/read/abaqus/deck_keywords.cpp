@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read/abaqus/deck_keywords.hpp"
+
+#include "base/number.hpp"
+
+#include "feelem/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace feelem::abaqus {
+namespace {
+
+constexpr std::size_t kMostIncludes = 4096;
+constexpr std::size_t kDeepestInclude = 32;
+
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+}
+
+std::string squeezed(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c != ' ' && c != '\t' && c != '\r' && c != '\0') out.push_back(upper(c));
+    }
+    return out;
+}
+
+/// Keywords whose lines say something about the mesh.
+bool is_used(std::string_view name) {
+    constexpr auto kUsed =
+        std::to_array<std::string_view>({"NODE",    "ELEMENT",  "NSET",        "ELSET",       "PART",
+                                         "ENDPART", "ASSEMBLY", "ENDASSEMBLY", "INSTANCE",    "SYSTEM",
+                                         "NGEN",    "NFILL",    "ENDINSTANCE", "NCOPY",       "ELGEN",
+                                         "ELCOPY",  "NMAP",     "TRANSFORM",   "USERELEMENT", "IMPORT"});
+    return name.ends_with("SECTION") || std::ranges::find(kUsed, name) != kUsed.end();
+}
+
+/// Comma-separated pieces of a keyword line; commas in quotes do not part.
+std::string_view take_piece(std::string_view& rest) {
+    bool quoted = false;
+    std::size_t end = 0;
+    for (; end < rest.size() && (quoted || rest[end] != ','); ++end) quoted ^= rest[end] == '"';
+    const std::string_view piece = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    return piece;
+}
+
+Keyword parse_keyword(std::string_view text) {
+    Keyword keyword;
+    text = trim(text);
+    text.remove_prefix(1);
+    keyword.name = squeezed(take_piece(text));
+    while (!text.empty()) {
+        const std::string_view piece = take_piece(text);
+        const std::size_t equals = piece.find('=');
+        Parameter parameter;
+        parameter.key = squeezed(piece.substr(0, equals));
+        if (equals != std::string_view::npos) parameter.value = unquoted(piece.substr(equals + 1));
+        if (!parameter.key.empty()) keyword.parameters.push_back(std::move(parameter));
+    }
+    return keyword;
+}
+
+bool is_keyword(std::string_view line) {
+    const std::string_view text = trim(line);
+    return text.size() > 1 && text[0] == '*' && text[1] != '*';
+}
+
+bool is_comment(std::string_view line) {
+    const std::string_view text = trim(line);
+    return text.starts_with("**") || text == "*";
+}
+
+/// Reads a keyword's line and the lines it goes on in; `lines` stands behind its first line.
+Keyword read_keyword(std::string_view line, TextLines& lines) {
+    std::string text(line);
+    while (trim(text).ends_with(',')) {
+        TextLines ahead = lines;
+        auto further = ahead.next();
+        while (further && is_comment(*further)) further = ahead.next();
+        if (!further || is_keyword(*further) || text.size() > 65536) break;
+        text += *further;
+        lines = ahead;
+    }
+    return parse_keyword(text);
+}
+
+/// Walks the files in the order in which a solver reads them.
+class Scanner {
+public:
+    Scanner(IncludeFiles* includes, Diagnostics& diagnostics)
+        : includes_(includes), diagnostics_(diagnostics) {}
+
+    void scan(const Input& input) {
+        current_ = kNothing;
+        deck_.files.push_back(input);
+        scan_file(static_cast<std::uint32_t>(deck_.files.size() - 1));
+    }
+    Deck take() { return std::move(deck_); }
+
+private:
+    static constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
+
+    void scan_file(std::uint32_t file) {
+        open_.push_back(file);
+        const Input input = deck_.files[file];
+        TextLines lines(input, 0, input.size());
+        LineRange data{file, 0, 0};
+        while (const auto line = lines.next()) {
+            if (!is_keyword(*line)) {
+                if (wants_title_ && !is_comment(*line)) take_title(*line);
+                continue;
+            }
+            data.end = lines.line_start();
+            add_data(data);
+            Keyword keyword = read_keyword(*line, lines);
+            keyword.file = file;
+            keyword.offset = data.end;
+            data.begin = lines.offset();
+            use(std::move(keyword), input);
+        }
+        data.end = input.size();
+        add_data(data);
+        input.release(0, input.size());
+        open_.pop_back();
+    }
+
+    void use(Keyword keyword, const Input& input) {
+        if (keyword.name == "INCLUDE") {
+            include(keyword, input);
+            return;
+        }
+        wants_title_ = keyword.name == "HEADING" && deck_.title.empty();
+        deck_.has_parameters |= keyword.name == "PARAMETER";
+        current_ = kNothing;
+        if (!is_used(keyword.name)) return;
+        const bool has_file = keyword.has("INPUT");
+        deck_.keywords.push_back(std::move(keyword));
+        current_ = deck_.keywords.size() - 1;
+        if (has_file) include(Keyword(deck_.keywords.back()), input);
+    }
+
+    void include(const Keyword& keyword, const Input& from) {
+        const std::string name = keyword.value("INPUT");
+        std::string trouble;
+        if (open_.size() >= kDeepestInclude || included_++ >= kMostIncludes) {
+            trouble = "files include each other too often";
+        } else if (auto found = includes_ != nullptr ? includes_->find(name, from) : std::nullopt) {
+            const std::uint32_t file = index_of(*found);
+            if (std::ranges::find(open_, file) == open_.end()) {
+                scan_file(file);
+                return;
+            }
+            trouble = "it includes itself";
+        } else {
+            trouble = "there is no such file beside the deck nor among the inputs";
+        }
+        diagnostics_.add(
+            Code::UnknownBlock,
+            [&] { return deck_.where(keyword); },
+            fmt::format("the included file \"{}\" is left out: {}", name, trouble)
+        );
+    }
+
+    std::uint32_t index_of(const Input& input) {
+        const auto known = std::ranges::find(deck_.files, input.name(), &Input::name);
+        if (known != deck_.files.end()) return static_cast<std::uint32_t>(known - deck_.files.begin());
+        deck_.files.push_back(input);
+        return static_cast<std::uint32_t>(deck_.files.size() - 1);
+    }
+
+    void add_data(const LineRange& range) {
+        if (current_ != kNothing && range.end > range.begin) deck_.keywords[current_].data.push_back(range);
+    }
+
+    void take_title(std::string_view line) {
+        deck_.title = std::string(trim(line));
+        wants_title_ = deck_.title.empty();
+    }
+
+    IncludeFiles* includes_;
+    Diagnostics& diagnostics_;
+    Deck deck_;
+    std::size_t current_ = kNothing;
+    std::vector<std::uint32_t> open_;  ///< Files that are being read, outermost first.
+    std::size_t included_ = 0;
+    bool wants_title_ = false;
+};
+
+}  // namespace
+
+std::string unquoted(std::string_view label) {
+    label = trim(label);
+    if (label.size() > 1 && label.front() == '"' && label.back() == '"')
+        label = label.substr(1, label.size() - 2);
+    return std::string(label);
+}
+
+std::string folded(std::string_view label) {
+    std::string out = unquoted(label);
+    std::ranges::transform(out, out.begin(), upper);
+    return out;
+}
+
+bool Keyword::has(std::string_view key) const {
+    return std::ranges::find(parameters, key, &Parameter::key) != parameters.end();
+}
+
+std::string Keyword::value(std::string_view key) const {
+    const auto found = std::ranges::find(parameters, key, &Parameter::key);
+    return found == parameters.end() ? std::string() : found->value;
+}
+
+std::string Deck::where(const Keyword& keyword) const {
+    return files[keyword.file].where_line(keyword.offset);
+}
+
+Deck scan_decks(std::span<const Input> roots, IncludeFiles* includes, Diagnostics& diagnostics) {
+    Scanner scanner(includes, diagnostics);
+    for (const Input& root : roots) scanner.scan(root);
+    return scanner.take();
+}
+
+std::vector<std::string> included_names(const Input& input) {
+    std::vector<std::string> names;
+    TextLines lines(input, 0, input.size());
+    while (const auto line = lines.next()) {
+        if (!is_keyword(*line) || squeezed(*line).find("INPUT=") == std::string::npos) continue;
+        const Keyword keyword = read_keyword(*line, lines);
+        if (keyword.has("INPUT")) names.push_back(keyword.value("INPUT"));
+    }
+    return names;
+}
+
+bool starts_like_deck(std::string_view head) {
+    constexpr auto kFirst = std::to_array<std::string_view>(
+        {"HEADING",
+         "NODE",
+         "ELEMENT",
+         "NSET",
+         "ELSET",
+         "PART",
+         "INCLUDE",
+         "PREPRINT",
+         "PARAMETER",
+         "RESTART",
+         "SYSTEM",
+         "MATERIAL",
+         "STEP",
+         "BOUNDARY",
+         "SURFACE",
+         "ASSEMBLY",
+         "DLOAD",
+         "CLOAD",
+         "TEMPERATURE",
+         "FILM",
+         "DFLUX",
+         "CFLUX",
+         "EQUATION",
+         "MPC",
+         "AMPLITUDE",
+         "ORIENTATION",
+         "SOLIDSECTION",
+         "SHELLSECTION",
+         "NGEN",
+         "DSLOAD",
+         "TRANSFORM",
+         "USERELEMENT",
+         "PHYSICALCONSTANTS",
+         "INITIALCONDITIONS",
+         "TIE",
+         "RADIATE"}
+    );
+    const Input input = Input::from_memory("", std::string(head));
+    TextLines lines(input, 0, input.size());
+    while (const auto line = lines.next()) {
+        if (trim(*line).empty() || is_comment(*line)) continue;
+        if (!is_keyword(*line)) return false;
+        std::string_view rest = trim(*line);
+        rest.remove_prefix(1);
+        return std::ranges::find(kFirst, squeezed(take_piece(rest))) != kFirst.end();
+    }
+    return false;
+}
+
+std::optional<std::string_view> DataLines::next() {
+    for (;;) {
+        while (!lines_ || lines_->offset() >= keyword_->data[range_ - 1].end) {
+            if (range_ >= keyword_->data.size()) return {};
+            const LineRange& range = keyword_->data[range_++];
+            lines_.emplace(deck_->files[range.file], range.begin, range.end);
+        }
+        const auto line = lines_->next();
+        if (!line || is_comment(*line)) continue;
+        const std::string_view text = trim(*line);
+        if (!text.empty()) return text;
+    }
+}
+
+std::string DataLines::where() const {
+    return lines_ ? lines_->where() : deck_->where(*keyword_);
+}
+
+void DataLines::release() const {
+    for (const LineRange& range : std::span(keyword_->data).first(range_))
+        deck_->files[range.file].release(range.begin, range.end);
+}
+
+std::string_view take_field(std::string_view& rest) {
+    std::string_view field = trim(take_piece(rest));
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"')
+        field = field.substr(1, field.size() - 2);
+    return field;
+}
+
+void throw_bad_number(
+    std::string_view field, const char* expected, const Deck& deck, const DataLines& lines
+) {
+    throw Error(
+        Code::BadNumber,
+        lines.where(),
+        fmt::format(
+            "found \"{}\" where {} is expected.{}",
+            field.substr(0, 40),
+            expected,
+            deck.has_parameters ? " The deck uses *PARAMETER, which Feelem does not evaluate: read the "
+                                  "NAME.pes that Abaqus writes beside the deck instead."
+                                : ""
+        )
+    );
+}
+
+double take_number(std::string_view& rest, double fallback, const Deck& deck, const DataLines& lines) {
+    const std::string_view field = take_field(rest);
+    if (field.empty()) return fallback;
+    const auto value = parse_double(field);
+    if (!value) throw_bad_number(field, "a number", deck, lines);
+    return *value;
+}
+
+std::optional<std::int32_t> label_of(std::string_view field) {
+    std::int32_t value = 0;
+    if (field.starts_with('+')) field.remove_prefix(1);
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (field.empty() || error != std::errc{} || end != field.data() + field.size() || value < 0) return {};
+    return value;
+}
+
+std::int32_t take_label(std::string_view& rest, const Deck& deck, const DataLines& lines) {
+    // The common case first: digits up to a comma.
+    const char* at = rest.data();
+    const char* const end = at + rest.size();
+    while (at != end && *at == ' ') ++at;
+    std::int32_t value = 0;
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error == std::errc{} && value >= 0 && (stop == end || *stop == ',')) {
+        rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()) + (stop == end ? 0 : 1));
+        return value;
+    }
+    const std::string_view field = take_field(rest);
+    if (field.empty()) return 0;
+    const auto label = label_of(field);
+    if (!label) throw_bad_number(field, "the number of a node or element (1 to 2147483647)", deck, lines);
+    return *label;
+}
+
+}  // namespace feelem::abaqus
