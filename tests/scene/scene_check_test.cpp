@@ -66,6 +66,12 @@ TEST(Check, every_claim_of_an_untouched_scene_holds) {
     EXPECT_GT(check_scene(path).size(), 40u);
 }
 
+TEST(Check, a_range_that_ends_at_minus_zero_holds) {
+    auto sample = brick_sample(1, 1, 1);
+    add_result(*sample, {"flux"}, [](std::int64_t, std::size_t, std::size_t) { return -0.0F; });
+    EXPECT_THAT(broken_claims(write_sample(*sample, "check_minus_zero")), ::testing::IsEmpty());
+}
+
 TEST(Check, holds_for_every_element_type_that_the_skin_stage_draws) {
     for (std::size_t type = 0; type < kElementTypeCount; ++type) {
         const Mesh mesh = one_element(static_cast<ElementType>(type));
