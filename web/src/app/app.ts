@@ -4,7 +4,7 @@ import { attachKeyboard, type KeyCommand } from "../input/keyboard";
 import { findElement, findNode, type Place } from "../probe";
 import { Stage } from "../render";
 import type { SceneData } from "../scene";
-import type { Actions, PaletteEntry, ViewName } from "../ui";
+import type { Actions, PaletteEntry, PanelPage, ViewName } from "../ui";
 import type { ApiSource, PageState } from "./api";
 import { attachDeskPointer } from "./desk-pointer";
 import type { Feature } from "./features/feature";
@@ -119,7 +119,8 @@ export class App implements ApiSource {
 
   state(): PageState {
     const { doc, step, session } = this.store.state;
-    const own = { presentation: doc, step, deformationFactor: this.view.factor, session };
+    const panelPages = session === "none" ? null : this.panelPages().map((page) => page.id);
+    const own = { presentation: doc, step, deformationFactor: this.view.factor, session, panelPages };
     return Object.assign({}, ...this.features.map((f) => f.report?.() ?? {}), own);
   }
 
@@ -204,6 +205,11 @@ export class App implements ApiSource {
   /** The pointer is on the opened inside of the model, of which a skin knows no values; canvas pixels. */
   setInside(at: { x: number; y: number } | null): void {
     this.#page.renderInside(at, this.view.insideText);
+  }
+
+  /** Pages of the headset's panel beside the table of results. */
+  panelPages(): PanelPage[] {
+    return this.features.flatMap((f) => f.page?.() ?? []);
   }
 
   /** A short word for people and screen readers. */

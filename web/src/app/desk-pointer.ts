@@ -4,6 +4,7 @@ import { Ray } from "three";
 import { attachMouse } from "../input/mouse";
 import type { PointerKind } from "../input/pointer";
 import type { App } from "./app";
+import type { Notes } from "./features/notes";
 
 const MOUSE = "mouse";
 const scratchRay = new Ray();
@@ -29,6 +30,7 @@ export function attachDeskPointer(app: App): () => void {
       app.invalidate();
     },
     hold: (on) => app.hold(on),
+    keep: () => app.feature<Notes>("notes").pinHere(),
     turn: (dx, dy) => stage.orbit.turn(dx * 0.008, dy * 0.008),
     pan: (dx, dy) => stage.orbit.pan(dx, dy, stage.canvas.clientHeight),
     zoom: (scale, x, y) => stage.orbit.zoom(scale, cast(x, y).hit?.world ?? null),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene from its address, and the state the page starts in.
 import { openScene, type SceneData } from "../scene";
+import { rememberedPerson } from "./person";
 import { defaultPresentation, type PresentationDoc } from "./presentation-doc";
 import type { ViewState } from "./store";
 import { rememberedTheme } from "./theme";
@@ -57,6 +58,8 @@ export function firstState(scene: SceneData): ViewState {
       scene.gaps.length > 0 ? `The scene has lost ${scene.gaps.join(", ")}: they cannot be shown.` : null,
     notice: "",
     loading: false,
+    person: rememberedPerson(doc.audio),
+    guide: false,
     pins: [],
     ruler: [],
     cuts: [],

@@ -3,9 +3,20 @@
 import { Vector3 } from "three";
 import { normalise } from "../present";
 import type { Stage } from "../render";
-import { createHaptics, createSound, EventWatch, type Haptics, type Sound, stopWhenLeft } from "../sense";
+import {
+  createHaptics,
+  createSound,
+  type EventKind,
+  EventWatch,
+  guideRate,
+  type Haptics,
+  type SensedLegend,
+  type Sound,
+  stopWhenLeft,
+} from "../sense";
 import type { PulseRecord } from "./api";
 import type { ModelView, Shown } from "./model-view";
+import type { Person } from "./person";
 import { pulseEffect } from "./presentation-doc";
 import type { ProbeReport } from "./probe-report";
 import type { PointerState, Probing } from "./probing";
@@ -15,6 +26,8 @@ const SENSED = ["colour", "pitch", "ticks", "pulses"] as const;
 /** Less than this of the range, and of the model's size, is standing still. */
 const STILL_VALUE = 0.005;
 const STILL_PLACE = 0.0025;
+/** From here on a value counts as the largest. */
+const TOP_RANK = 0.99;
 /** Browsers let a page sound from the person's first gesture on. */
 const WAKING = ["pointerdown", "keydown"] as const;
 const scratch = new Vector3();
@@ -45,6 +58,8 @@ interface Hand {
   readonly haptics: Haptics;
   readonly rest: Rest;
   readonly watches: Map<string, EventWatch>;
+  /** The largest value was reached and said. */
+  onTop: boolean;
 }
 
 export class Senses {
@@ -55,6 +70,10 @@ export class Senses {
   readonly #hands = new Map<string, Hand>();
   #context: AudioContext | null = null;
   #sound: Sound | null = null;
+  #legend: { legend: SensedLegend; start: number; at: number | null; end: () => void } | null = null;
+  #rank: (value: number) => number = () => 0;
+  #guideRate = 0;
+  readonly #listeners = new Set<(kind: EventKind) => void>();
   #stopWatching: () => void;
   readonly #stopWaking: () => void;
 
@@ -65,7 +84,10 @@ export class Senses {
     this.#stage = stage;
     this.#stopWatching = stopWhenLeft(() => this.stop());
     stage.onFrame(() => this.#frame(performance.now() / 1000));
-    store.subscribe((state) => this.#sound?.setMuted(!state.sound));
+    store.subscribe((state, before) => {
+      this.#sound?.setMuted(!state.sound);
+      if (state.person !== before.person) this.#heed(state.person);
+    });
     const wake = () => this.wake();
     for (const kind of WAKING) window.addEventListener(kind, wake);
     this.#stopWaking = () => {
@@ -77,19 +99,79 @@ export class Senses {
   wake(): void {
     if (!this.#context) {
       this.#context = new AudioContext({ latencyHint: "interactive" });
-      const audio = this.#store.state.doc.audio as { master?: unknown; mono?: unknown } | undefined;
-      this.#sound = createSound(this.#context, {
-        master: typeof audio?.master === "number" ? Math.min(Math.max(audio.master, 0), 1) : 0.5,
-        mono: audio?.mono === true,
-      });
+      const { master, mono } = this.#store.state.person;
+      this.#sound = createSound(this.#context, { master, mono });
       this.#sound.setMuted(!this.#store.state.sound);
     }
     if (this.#context.state === "suspended") void this.#context.resume();
   }
 
+  #heed({ master, mono, strength }: Person): void {
+    this.#sound?.setMaster(master);
+    this.#sound?.setMono(mono);
+    for (const { haptics } of this.#hands.values()) haptics.setStrength(strength);
+  }
+
+  /** Whether any hand can feel. */
+  get canVibrate(): boolean {
+    return [...this.#probing.pointers].some((p) => p.actuator !== null);
+  }
+
+  /** How a value ranks among those that can be seen, 0..1. */
+  setRank(rank: (value: number) => number): void {
+    this.#rank = rank;
+  }
+
+  onEvent(listener: (kind: EventKind) => void): void {
+    this.#listeners.add(listener);
+  }
+
+  /** Place on the legend that sounds now; null: none is played. */
+  get legendAt(): number | null {
+    return this.#legend?.at ?? null;
+  }
+
+  /** Ticks a second that lead to the largest value; 0: nothing is held. */
+  get guideRate(): number {
+    return this.#guideRate;
+  }
+
+  /** What low, middle and high sound and feel like. */
+  playLegend(legend: SensedLegend): void {
+    this.wake();
+    this.#legend?.end();
+    this.#legend = { legend, start: performance.now() / 1000, at: null, end: this.#stage.keepRunning() };
+  }
+
+  /** True while a legend plays. */
+  #playing(seconds: number): boolean {
+    const playing = this.#legend;
+    if (!playing) return false;
+    const time = seconds - playing.start;
+    if (time > playing.legend.seconds) {
+      playing.end();
+      this.#legend = null;
+      this.#sound?.update(null);
+      for (const { haptics } of this.#hands.values()) haptics.update(null);
+      return false;
+    }
+    const moment = playing.legend.at(time);
+    playing.at = moment?.u ?? null;
+    this.#sound?.update(this.#store.state.sound ? (moment?.sound ?? null) : null);
+    for (const pointer of this.#probing.pointers) {
+      const { haptics } = this.#hand(pointer.name);
+      haptics.setActuator(pointer.actuator);
+      haptics.update(this.#store.state.touch ? (moment?.haptic ?? null) : null);
+      haptics.tick(seconds);
+    }
+    return true;
+  }
+
   /** Silence and stillness at once; nothing is held any more. */
   stop(): void {
     this.#probing.releaseAll();
+    this.#legend?.end();
+    this.#legend = null;
     this.#sound?.stop();
     for (const { haptics } of this.#hands.values()) haptics.stop();
   }
@@ -113,14 +195,17 @@ export class Senses {
   #hand(name: string): Hand {
     let hand = this.#hands.get(name);
     if (!hand) {
-      hand = { haptics: createHaptics(), rest: new Rest(), watches: new Map() };
+      hand = { haptics: createHaptics(), rest: new Rest(), watches: new Map(), onTop: false };
+      hand.haptics.setStrength(this.#store.state.person.strength);
       this.#hands.set(name, hand);
     }
     return hand;
   }
 
   #frame(seconds: number): void {
+    if (this.#playing(seconds)) return;
     const leading = this.#probing.current();
+    this.#guideRate = 0;
     let heard = false;
     for (const pointer of this.#probing.pointers) {
       const hand = this.#hand(pointer.name);
@@ -131,7 +216,8 @@ export class Senses {
         const beyond = this.#watch(hand, report, pointer === leading);
         this.#feel(hand, report, still, beyond);
         if (pointer === leading) {
-          this.#hear(pointer, report, still, beyond);
+          if (this.#store.state.guide) this.#guide(hand, report);
+          else this.#hear(pointer, report, still, beyond);
           heard = true;
         }
       } else {
@@ -162,6 +248,7 @@ export class Senses {
       const event = watch.update({ value, range: shown.range, limit });
       beyond ||= watch.beyond;
       if (event && leads) this.#sound?.event(event);
+      if (event && leads) for (const listener of this.#listeners) listener(event);
       if (event && event !== "noValue" && this.#store.state.touch) hand.haptics.event(event);
     }
     return beyond;
@@ -173,6 +260,22 @@ export class Senses {
     hand.haptics.update(
       this.#store.state.touch ? { rate, amplitude, milliseconds, still, alarm: beyond } : null,
     );
+  }
+
+  /** Ticks alone: the faster, the higher the value of what is seen ranks; at the top it is said once. */
+  #guide(hand: Hand, report: ProbeReport): void {
+    const seen = this.#view.shownAs("colour");
+    const value = report.results.find((r) => r.key === seen?.key)?.value ?? null;
+    const rank = value === null ? 0 : this.#rank(value);
+    this.#guideRate = value === null ? 0 : guideRate(rank);
+    const top = rank >= TOP_RANK;
+    if (top && !hand.onTop) {
+      this.#sound?.event("maximum");
+      if (this.#store.state.touch) hand.haptics.event("maximum");
+      for (const listener of this.#listeners) listener("maximum");
+    }
+    hand.onTop = top;
+    this.#sound?.update({ tickRate: this.#guideRate });
   }
 
   #hear(pointer: PointerState, report: ProbeReport, still: boolean, beyond: boolean): void {

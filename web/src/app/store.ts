@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the page in one object; whoever shows it subscribes.
+import type { Person } from "./person";
 import type { PresentationDoc } from "./presentation-doc";
 
 export type DeformMode = "off" | "true" | "auto" | "factor";
@@ -35,6 +36,9 @@ export interface ViewState {
   readonly pins: readonly PinState[];
   /** Node ids: none, where it starts, or both ends. */
   readonly ruler: readonly number[];
+  readonly person: Person;
+  /** Ticks lead to the largest value instead of meaning one. */
+  readonly guide: boolean;
   readonly ghost: boolean;
   /** Of playing; 1: as usual. */
   readonly speed: number;

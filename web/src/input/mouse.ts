@@ -13,6 +13,8 @@ export interface MouseHost {
   turn(dx: number, dy: number): void;
   pan(dx: number, dy: number): void;
   zoom(scale: number, x: number, y: number): void;
+  /** Pressed twice on the model. */
+  keep(): void;
 }
 
 type Drag = "probe" | "turn" | "pan" | "pinch" | null;
@@ -98,6 +100,10 @@ export function attachMouse(host: MouseHost): () => void {
     host.zoom(Math.exp(Math.max(-240, Math.min(240, event.deltaY * lines)) * 0.0015), point.x, point.y);
   };
   const menu = (event: Event) => event.preventDefault();
+  const twice = (event: MouseEvent) => {
+    const box = canvas.getBoundingClientRect();
+    if (host.hitsModel(event.clientX - box.left, event.clientY - box.top)) host.keep();
+  };
   const blur = () => stop();
 
   canvas.addEventListener("pointerdown", down);
@@ -107,6 +113,7 @@ export function attachMouse(host: MouseHost): () => void {
   canvas.addEventListener("pointerleave", leave);
   canvas.addEventListener("wheel", wheel, { passive: false });
   canvas.addEventListener("contextmenu", menu);
+  canvas.addEventListener("dblclick", twice);
   window.addEventListener("blur", blur);
   return () => {
     canvas.removeEventListener("pointerdown", down);
@@ -116,6 +123,7 @@ export function attachMouse(host: MouseHost): () => void {
     canvas.removeEventListener("pointerleave", leave);
     canvas.removeEventListener("wheel", wheel);
     canvas.removeEventListener("contextmenu", menu);
+    canvas.removeEventListener("dblclick", twice);
     window.removeEventListener("blur", blur);
   };
 }

@@ -3,6 +3,7 @@
 export { createSound, defaultSound, type Sound, type SoundFrame, type SoundOptions } from "./audio";
 export type { EventKind } from "./earcons";
 export { EventWatch, type ProbeState, type SenseEvent, type SenseLimit } from "./events";
+export { guideRate, rankOf } from "./guidance";
 export {
   type Actuator,
   actuatorOf,

@@ -9,6 +9,7 @@ export { type HotListModel, type HotRow, hotListTemplate } from "./hot-list";
 export type { IconName } from "./icons";
 export { type LegendModel, legendTemplate, paintLegend } from "./legend";
 export { type LimitChange, type LimitRow, limitListTemplate } from "./limit-list";
+export { type ListeningModel, listeningTemplate } from "./listening-form";
 export { type Marker, markersTemplate } from "./markers";
 export {
   type DifferenceModel,

@@ -168,8 +168,9 @@ export class VrSession {
     const stand = standOf(this.#head);
     this.#stand = stand;
     const eye = new Vector3().setFromMatrixPosition(this.#head);
-    this.#placeBoard(this.#panel.mesh, placeBefore(stand, -0.74, 1.15, 0.95), eye);
-    this.#placeBoard(this.#legend.mesh, placeBefore(stand, 0.72, 1.12, 1.05), eye);
+    const hand = this.#app.store.state.person.leftHanded ? -1 : 1;
+    this.#placeBoard(this.#panel.mesh, placeBefore(stand, -0.74 * hand, 1.15, 0.95), eye);
+    this.#placeBoard(this.#legend.mesh, placeBefore(stand, 0.72 * hand, 1.12, 1.05), eye);
     this.putOnTable();
     this.#boardsStale = true;
   }
@@ -222,7 +223,7 @@ export class VrSession {
       this.#hover = hover;
       const model = {
         ...this.#app.models.panel(hover),
-        pages: this.#app.features.flatMap((f) => f.page?.() ?? []),
+        pages: this.#app.panelPages(),
       };
       const ways = {
         table: () => this.putOnTable(),

@@ -50,6 +50,11 @@ export const keepTests = [
       await until(page, probe, (r) => r?.nodeId === a, "the note's node");
       await section.getByLabel("remove note 1").click();
       assert.deepEqual((await page.evaluate(state)).pins, []);
+      const box = await page.locator(".area-stage canvas").boundingBox();
+      await page.keyboard.press("f");
+      await page.mouse.dblclick(box.x + box.width / 2, box.y + box.height / 2);
+      const twice = await until(page, state, (s) => s.pins.length === 1, "a note by a double press");
+      assert.equal(twice.pins[0].node, (await page.evaluate(probe)).nodeId);
       await context.close();
     },
   },

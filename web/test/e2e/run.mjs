@@ -4,6 +4,7 @@ import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { build } from "vite";
 import { tinyScene } from "../support/tiny-scene.ts";
+import { accessTests } from "./access.mjs";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { keepTests } from "./keep.mjs";
@@ -50,6 +51,7 @@ for (const { name, run, skip } of [
   ...timeTests,
   ...keepTests,
   ...shareTests,
+  ...accessTests,
   ...vrTests,
   ...programTests,
 ]) {

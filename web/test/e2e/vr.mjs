@@ -94,6 +94,21 @@ async function aimAtNode(page, hand, i, j, k) {
   return nodeId(i, j, k);
 }
 
+/** A place of the panel, pixels from its upper left corner, in the room. */
+function panelPoint(px, py) {
+  // The panel stands 0.74 m to the left, 0.95 m ahead, 1.15 m high, and faces eyes at 1.6 m.
+  const centre = [-0.74, 1.15, -0.95];
+  const eye = [0, 1.6, 0];
+  const unit = (v) => v.map((c) => c / Math.hypot(...v));
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const normal = unit(eye.map((c, i) => c - centre[i]));
+  const right = unit(cross([0, 1, 0], normal));
+  const up = cross(normal, right);
+  const u = (px / 1024 - 0.5) * 0.62;
+  const v = (0.5 - py / 1050) * 0.62 * (1050 / 1024);
+  return centre.map((c, i) => c + u * right[i] + v * up[i]);
+}
+
 export const vrTests = [
   {
     name: "vr_ray_through_a_node_gives_the_files_values",
@@ -277,25 +292,8 @@ export const vrTests = [
     name: "vr_panel_assigns_a_result_to_another_sense",
     async run({ browser, url }) {
       const { page, context } = await enter(browser, url);
-      // The panel stands 0.74 m to the left, 0.95 m ahead, 1.15 m high, and faces eyes at 1.6 m.
-      const centre = [-0.74, 1.15, -0.95];
-      const eye = [0, 1.6, 0];
-      const unit = (v) => v.map((c) => c / Math.hypot(...v));
-      const cross = (a, b) => [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-      ];
-      const normal = unit(eye.map((c, i) => c - centre[i]));
-      const right = unit(cross([0, 1, 0], normal));
-      const up = cross(normal, right);
-      const at = (px, py) => {
-        const u = (px / 1024 - 0.5) * 0.62;
-        const v = (0.5 - py / 1050) * 0.62 * (1050 / 1024);
-        return centre.map((c, i) => c + u * right[i] + v * up[i]);
-      };
       // Second row (U), first column (colour).
-      const target = at(400 + 48, 66 + 88 + 42);
+      const target = panelPoint(400 + 48, 66 + 88 + 42);
       await aim(page, "right", [0.1, 1.3, -0.1], target);
       await button(page, "right", "trigger", 1);
       await frames(page, 3);
@@ -304,6 +302,52 @@ export const vrTests = [
         window.feelem.state().presentation.effects.find((e) => e.type === "colour")?.result;
       await until(page, effect, (key) => key === "U", "displacement as colour");
       await context.close();
+    },
+  },
+  {
+    name: "vr_panel_pages_cut_hide_and_find_by_the_ray",
+    async run({ browser, serveTiny }) {
+      const { url, close } = await serveTiny({ bars: 2, times: 2 });
+      const { page, context, problems } = await enter(browser, url);
+      const press = async (px, py) => {
+        await aim(page, "right", [0.1, 1.3, -0.1], panelPoint(px, py));
+        await button(page, "right", "trigger", 1);
+        await frames(page, 3);
+        await button(page, "right", "trigger", 0);
+        await frames(page, 3);
+      };
+      const state = () => window.feelem.state();
+      const { panelPages } = await page.evaluate(state);
+      const width = Math.min(190, 984 / (panelPages.length + 1));
+      const tab = (id) => press(20 + (panelPages.indexOf(id) + 1.5) * width, 996);
+      // Buttons stand from the right, 132 pixels each; rows are 92 apart from 84 on.
+      const cell = (row, fromRight) => press(1024 - 20 - (fromRight + 0.5) * 132, 84 + 42 + row * 92);
+      await tab("cuts");
+      await cell(0, 3);
+      await until(page, state, (s) => s.cuts[0]?.normal[0] === 1, "a plane across x");
+      await cell(2, 0);
+      await until(page, state, (s) => s.cuts[0].normal[0] === -1, "the other side");
+      await tab("parts");
+      await cell(1, 2);
+      await until(page, state, (s) => s.hidden.join() === "0", "the first part hidden");
+      await cell(0, 0);
+      await until(page, state, (s) => s.hidden.length === 0, "all parts");
+      await tab("hot-spots");
+      await cell(0, 0);
+      await until(
+        page,
+        () => window.feelem.lastProbe()?.nodeId,
+        (id) => id > 0,
+        "the largest value marked",
+      );
+      await tab("listening");
+      const { person } = await page.evaluate(state);
+      await cell(2, 0);
+      await cell(3, 0);
+      await until(page, state, (s) => s.person.master !== person.master || s.guide, "volume or guide");
+      assert.deepEqual(problems, []);
+      await context.close();
+      await close();
     },
   },
   {

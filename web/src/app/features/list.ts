@@ -8,6 +8,7 @@ import { History } from "./history";
 import { HotSpots } from "./hot-spots";
 import { Limits } from "./limits";
 import { Links } from "./links";
+import { Listening } from "./listening";
 import { Notes } from "./notes";
 import { Palette } from "./palette";
 import { Parts } from "./parts";
@@ -22,6 +23,7 @@ export function makeFeatures(app: App): readonly Feature[] {
     new Parts(app),
     new Cuts(app),
     new History(app),
+    new Listening(app),
     new Difference(app),
     new Notes(app),
     new Save(app),

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What belongs to the person and not to the presentation: volume, mono, captions, strength, handedness.
+
+export interface Person {
+  /** 0..1 */
+  readonly master: number;
+  readonly mono: boolean;
+  readonly captions: boolean;
+  /** Of vibration, 0..1.5. */
+  readonly strength: number;
+  readonly leftHanded: boolean;
+}
+
+const KEY = "feelem.person";
+export const DEFAULT_PERSON: Person = Object.freeze({
+  master: 0.5,
+  mono: false,
+  captions: true,
+  strength: 1,
+  leftHanded: false,
+});
+
+/** Whatever the storage holds, the answer can be used. */
+export function personOf(value: unknown, fallback: Person = DEFAULT_PERSON): Person {
+  const given = (typeof value === "object" && value !== null ? value : {}) as Record<string, unknown>;
+  const within = (v: unknown, most: number, other: number) =>
+    typeof v === "number" && v >= 0 && v <= most ? v : other;
+  const flag = (v: unknown, other: boolean) => (typeof v === "boolean" ? v : other);
+  return {
+    master: within(given.master, 1, fallback.master),
+    mono: flag(given.mono, fallback.mono),
+    captions: flag(given.captions, fallback.captions),
+    strength: within(given.strength, 1.5, fallback.strength),
+    leftHanded: flag(given.leftHanded, fallback.leftHanded),
+  };
+}
+
+/** What is remembered, else what the presentation suggests. */
+export function rememberedPerson(suggested: unknown): Person {
+  const first = personOf(suggested);
+  try {
+    return personOf(JSON.parse(localStorage.getItem(KEY) ?? "null"), first);
+  } catch {
+    return first;
+  }
+}
+
+export function rememberPerson(person: Person): void {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(person));
+  } catch {
+    // Without storage it lasts as long as the page.
+  }
+}
