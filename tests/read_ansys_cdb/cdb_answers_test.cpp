@@ -6,11 +6,13 @@
 #include "feelem/error.hpp"
 #include "feelem/skin.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
-#include <set>
+#include <sstream>
 #include <string>
 
 namespace feelem {
@@ -117,6 +119,42 @@ TEST(CdbAnswers, every_real_archive_agrees) {
     EXPECT_EQ(answers.size(), 16u);
     for (const auto& [file, answer] : answers.items())
         expect_answer(file, *test::corpus_file("ansys/" + file), read_answer(answer));
+}
+
+/// Four digits of the smallest and largest coordinates: "['0', '0', '-0.099'] ['0.099', '0.099', '0']".
+std::string bounds_of(const Mesh& mesh) {
+    std::string text;
+    for (const bool largest : {false, true}) {
+        text += largest ? " [" : "[";
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            double bound = mesh.coordinates.front()[axis];
+            for (const Point3& point : mesh.coordinates)
+                bound = largest ? std::max(bound, point[axis]) : std::min(bound, point[axis]);
+            text += fmt::format("{}'{:.4g}'", axis == 0 ? "" : ", ", bound + 0.0);
+        }
+        text += "]";
+    }
+    return text;
+}
+
+TEST(CdbAnswers, nodes_stand_where_others_read_them) {
+    const auto path = test::corpus_file("ansys/ORIGINS.md");
+    if (!path) GTEST_SKIP() << "the corpus is not here";
+    std::istringstream lines(test::read_file(*path));
+    int compared = 0;
+    bool in_section = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("## ")) in_section = line == "## cdb";
+        const std::size_t bounds = line.find("| bbox ");
+        if (!in_section || bounds == std::string::npos) continue;
+        const std::string name = line.substr(4, line.find("**", 4) - 4);
+        const std::size_t first = bounds + 7;
+        const std::string expected = line.substr(first, line.find(" |", first) - first);
+        const auto opened = test::open_deck_file(*test::corpus_file("ansys/cdb/" + name));
+        EXPECT_EQ(bounds_of(opened.mesh()), expected) << name;
+        ++compared;
+    }
+    EXPECT_EQ(compared, 16);
 }
 
 TEST(CdbAnswers, an_archive_that_was_cut_and_filled_with_zeros_is_refused) {

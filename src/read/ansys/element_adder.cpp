@@ -55,7 +55,7 @@ void ElementAdder::add(const Input& input, const ElementRowIds& row) {
         leave_out(row, type, where);
         return;
     }
-    warn_of_extra_nodes(row, type, where);
+    if (row.nodes.size() > shape->nodes) warn_of_extra_nodes(row, type, where);
     for (std::size_t i = 0; i < shape->nodes; ++i) nodes_[i] = NodeId{row.nodes[i]};
     builder_.add_element(
         ElementId{row.id}, shape->type, std::span(nodes_).first(shape->nodes), part_of(row.material), where
