@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of readers: a new one is a folder beside this file and one line here.
 #include "read/abaqus/abaqus_deck.hpp"
+#include "read/abaqus/abaqus_fil.hpp"
 #include "read/ansys/ansys_cdb.hpp"
 #include "read/ansys/ansys_lists.hpp"
 #include "read/ansys/ansys_rst.hpp"
+#include "read/calculix/calculix_dat.hpp"
 #include "read/calculix/calculix_frd.hpp"
 #include "read/nastran/nastran_bulk.hpp"
 #include "read/nastran/nastran_f06.hpp"
@@ -23,11 +25,13 @@ std::span<const ReadFormat> read_format_list() {
         ansys_cdb_format(),
         unv_format(),
         abaqus_deck_format(),
+        abaqus_fil_format(),
         ansys_lists_format(),
         nastran_bulk_format(),
         nastran_op2_format(),
         nastran_punch_format(),
         nastran_f06_format(),
+        calculix_dat_format(),
     };
     return list;
 }

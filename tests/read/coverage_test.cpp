@@ -46,6 +46,19 @@ std::vector<Group> single_files(
     return groups;
 }
 
+/// Each printed table of CalculiX that is not empty, with the results that bring its mesh.
+std::vector<Group> tables_with_results(const fs::path& corpus) {
+    std::vector<Group> groups;
+    for (Group& group : single_files(corpus, "calculix/test", ".dat.ref")) {
+        if (fs::file_size(corpus / group.files[0]) == 0) continue;
+        std::string results = group.files[0];
+        results.replace(results.size() - 7, 3, "frd");
+        group.files.push_back(std::move(results));
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
 /// Each folder as one model, but excerpts, which are cuttings of many.
 std::vector<Group> folders(const fs::path& corpus, const std::string& parent) {
     std::vector<Group> groups;
@@ -206,6 +219,8 @@ TEST(Coverage, page_says_what_comes_out_of_every_real_file) {
         "A result that stands in several steps is counted.\n\n";
     page += "## CalculiX: the solver's own test suite\n\n";
     page += table_of(single_files(corpus, "calculix/test", ".frd.ref"), corpus, unsound);
+    page += "## CalculiX: printed tables\n\nEach with the .frd of its job; empty ones are left out.\n\n";
+    page += table_of(tables_with_results(corpus), corpus, unsound);
     page += "## Ansys: archives of commands\n\n";
     page += table_of(single_files(corpus, "ansys/cdb", ""), corpus, unsound);
     page += "## Ansys: text lists\n\nA folder is one model; excerpts are single pages.\n\n";
