@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace feelem {
 namespace {
@@ -151,6 +153,61 @@ TEST(NastranOp2, displacements_in_radial_systems_turn_into_those_of_the_same_mod
     EXPECT_NE(turned.values, radial->load(displacement_of(*radial)).values);
     for (std::size_t i = 0; i < turned.values.size(); ++i)
         EXPECT_NEAR(turned.values[i], expected.values[i], 1e-8) << i;
+}
+
+using ResultKey = std::tuple<std::int32_t, std::int32_t, std::string>;
+
+std::map<ResultKey, std::size_t> results_by_key(const ModelSource& model) {
+    std::map<ResultKey, std::size_t> out;
+    for (std::size_t i = 0; i < model.results().size(); ++i) {
+        const ResultInfo& info = model.results()[i];
+        const Step& step = model.steps()[info.step];
+        if (info.location == Location::Nodal) out.try_emplace({step.step, step.substep, info.name}, i);
+    }
+    return out;
+}
+
+/// Largest difference, where both have a value, relative to the largest value.
+double difference(const Result& a, const Result& b) {
+    double largest = 0, most = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        if (std::isnan(a.values[i]) || std::isnan(b.values[i])) continue;
+        largest = std::fmax(largest, std::abs(double(a.values[i])));
+        most = std::fmax(most, std::abs(double(a.values[i]) - b.values[i]));
+    }
+    return largest == 0 ? most : most / largest;
+}
+
+TEST(NastranOp2, every_number_at_a_node_is_the_one_on_the_printed_pages) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    std::size_t compared = 0;
+    for (const char* name :
+         {"sol_101_elements/static_solid_shell_bar",
+          "sol_101_elements/static_solid_shell_bar_global_radial_cd",
+          "sol_101_elements/static_solid_shell_bar_xyz",
+          "sol_101_elements/mode_solid_shell_bar",
+          "plate/plate",
+          "thermal/hd15901"}) {
+        SCOPED_TRACE(name);
+        const std::string base = test::corpus_file("nastran/models").value() + "/" + name;
+        Diagnostics diagnostics;
+        const std::vector<std::string> binary{base + ".bdf", base + ".op2"};
+        const std::vector<std::string> printed{base + ".bdf", base + ".f06"};
+        const auto ours = open_model(binary, {}, diagnostics);
+        const auto pages = open_model(printed, {}, diagnostics);
+        const auto on_pages = results_by_key(*pages);
+        for (const auto& [key, index] : results_by_key(*ours)) {
+            const auto found = on_pages.find(key);
+            if (found == on_pages.end()) continue;
+            SCOPED_TRACE(std::get<std::string>(key));
+            const Result mine = ours->load(index);
+            const Result other = pages->load(found->second);
+            ASSERT_EQ(mine.values.size(), other.values.size());
+            EXPECT_LT(difference(mine, other), 1e-6);
+            ++compared;
+        }
+    }
+    EXPECT_EQ(compared, 68U);
 }
 
 TEST(NastranOp2, text_op2_is_refused_with_a_hint) {
