@@ -36,6 +36,10 @@ export class ModelView {
   #loadedStep = Number.NaN;
   #turn = 0;
   #imaginary: readonly (Float32Array | null)[] | null = null;
+  /** What the card has as values. */
+  #coloured: { fields: Fields | null; component: number } = { fields: null, component: -1 };
+  /** What the displacements were made of. */
+  #shapeSources: readonly unknown[] = [];
   /** Position in the swing of a mode, radians. */
   #angle = 0;
   #cuts: readonly Cut[] = [];
@@ -169,6 +173,10 @@ export class ModelView {
       return this.scene.parts.map((_, i) => (fields?.[i] ? toVectors(fields[i]) : null));
     };
     const other = this.#imaginaryOf(shape, step);
+    // Another result is seen but the shape is the same: nothing of it goes to the card again.
+    const sources = [shape && read(shape), other && read(other)];
+    if (sources.every((source, i) => source === this.#shapeSources[i])) return;
+    this.#shapeSources = sources;
     this.#displacements = vectors(shape);
     this.#imaginary = other ? vectors(other) : null;
     this.#largestDisplacement = 0;
@@ -194,7 +202,10 @@ export class ModelView {
       limitSign: limit === null ? 0 : colour?.limitIsUpper ? 1 : -1,
       missingHatch: entry?.nanHatch !== false,
     });
-    this.model.setValues(colour?.fields ?? null, colour?.componentIndex ?? 0);
+    const [fields, component] = [colour?.fields ?? null, colour?.componentIndex ?? 0];
+    if (fields === this.#coloured.fields && component === this.#coloured.component) return;
+    this.#coloured = { fields, component };
+    this.model.setValues(fields, component);
   }
 
   /** Draws the deformation; `angle` swings a mode: Re cos - Im sin, at rest at 0. */

@@ -178,7 +178,8 @@ export class ModelObject {
   /** Planes in model units minus origin. */
   setCuts(planes: readonly CutPlane[]): void {
     setCutUniforms(this.#uniforms, planes);
-    for (const material of [this.#shown, this.#clear, this.#edgeMaterial]) material.setCut(planes.length > 0);
+    for (const material of [this.#shown, this.#clear, this.#edgeMaterial, this.#ghostMaterial])
+      material.setCut(planes.length > 0);
   }
 
   setEdges(wanted: boolean): void {

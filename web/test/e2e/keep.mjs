@@ -45,7 +45,7 @@ export const keepTests = [
       await section.getByLabel("text of note 1").fill("weld");
       await page.keyboard.press("Enter");
       await until(page, state, (s) => s.pins[0].note === "weld", "the note");
-      assert.ok((await page.locator(".marker-note").textContent()).includes("weld"));
+      await page.locator(".marker-note button", { hasText: "weld" }).waitFor();
       await section.getByLabel("go to note 1").click();
       await until(page, probe, (r) => r?.nodeId === a, "the note's node");
       await section.getByLabel("remove note 1").click();

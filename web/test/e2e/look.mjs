@@ -267,4 +267,41 @@ export const lookTests = [
       await close();
     },
   },
+  {
+    name: "another_result_sends_its_values_to_the_card_and_no_geometry",
+    async run({ browser, serveTiny }) {
+      const { url, bytes, close } = await serveTiny({ cells: [60, 20, 15] });
+      const vertices = readScene(bytes).parts[0].nodeIds.length;
+      const { page, context } = await openPage(browser, url);
+      await page.evaluate(() => {
+        globalThis.sent = 0;
+        const { prototype } = WebGL2RenderingContext;
+        for (const name of ["bufferData", "bufferSubData"]) {
+          const send = prototype[name];
+          prototype[name] = function (...given) {
+            globalThis.sent += given.find((g) => ArrayBuffer.isView(g))?.byteLength ?? 0;
+            return send.apply(this, given);
+          };
+        }
+      });
+      await page.click("tr[data-key='S'] button[data-slot='colour']");
+      // Two numbers a vertex: the value, and whether it is missing.
+      await until(
+        page,
+        () => globalThis.sent,
+        (n) => n >= 8 * vertices,
+        "the values",
+      );
+      await page.waitForTimeout(300);
+      assert.equal(await page.evaluate(() => globalThis.sent), 8 * vertices);
+      await page.evaluate(() => {
+        globalThis.sent = 0;
+      });
+      for (const key of ["c", "]", "o", "r", "l"]) await page.keyboard.press(key);
+      await page.waitForTimeout(400);
+      assert.equal(await page.evaluate(() => globalThis.sent), 0);
+      await context.close();
+      await close();
+    },
+  },
 ];

@@ -23,8 +23,9 @@ export const timeTests = [
       assert.equal(history.node, id);
       for (const { step, value } of history.results[0].points)
         assert.equal(value, valueAtNode(scene, "temperature", step, id));
-      const box = await section.locator("svg").first().boundingBox();
-      await page.mouse.click(box.x + box.width - 12, box.y + box.height / 2);
+      const plot = section.locator(".history svg").first();
+      const box = await plot.boundingBox();
+      await plot.click({ position: { x: box.width - 12, y: box.height / 2 } });
       await until(page, state, (s) => s.step === 7, "the last step");
       await context.close();
       await close();
