@@ -161,6 +161,15 @@ TEST(NastranBulk, a_missing_coordinate_system_leaves_places_missing_and_says_so)
     EXPECT_EQ(opened.diagnostics.count(Code::CoordinateSystem), 2U);
 }
 
+TEST(NastranBulk, systems_in_a_loop_are_reported_where_they_stand) {
+    const Opened opened =
+        open_deck("GRID,1,,1.,2.,3.\nGRID,2,,1.,0.,0.\nGRID,3,,0.,0.,0.\nCTRIA3,1,1,1,2,3\n"
+                  "CORD2R,5,6,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nCORD2R,6,5,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n");
+    ASSERT_EQ(opened.diagnostics.count(Code::CoordinateSystem), 2U);
+    EXPECT_EQ(opened.diagnostics.entries()[0].where, "deck.bdf:7");
+    EXPECT_EQ(opened.diagnostics.entries()[1].where, "deck.bdf:5");
+}
+
 TEST(NastranBulk, scalar_points_are_nodes_without_a_place) {
     const Opened opened = open_deck(std::string(kBrick) + "SPOINT,100,THRU,102\nSPOINT,7001,7003\n");
     EXPECT_EQ(opened.mesh().node_count(), 13U);

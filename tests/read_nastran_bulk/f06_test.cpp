@@ -338,6 +338,18 @@ TEST(NastranF06, forces_of_equal_eigenvalues_are_told_apart_by_their_grids) {
     EXPECT_EQ(value_at(*printed.model, printed.model->load(2), 2), 4);
 }
 
+TEST(NastranF06, rows_under_a_heading_that_is_not_known_are_nobodys) {
+    const std::string row = "             1      G      1.000000E+00   0.0            0.0            0.0     "
+                            "       0.0            0.0\n";
+    const std::string title = "                     D I S P L A C E M E N T   V E C T O R\n";
+    const Printed printed = open_text(
+        page(title + kColumns + "   S T R E S S E S   I N   S O M E T H I N G\n" + row) +
+        page(title + kColumns + row)
+    );
+    EXPECT_EQ(printed.model->results().size(), 2U);
+    EXPECT_EQ(printed.diagnostics.count(Code::UnknownBlock), 1U);
+}
+
 TEST(NastranF06, a_file_without_results_at_grids_says_what_to_ask_for) {
     try {
         open_text(page("  *** USER FATAL MESSAGE 9050 (SEKRRS)\n"));

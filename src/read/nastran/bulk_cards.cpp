@@ -220,7 +220,10 @@ private:
             );
             return;
         }
-        const auto where = [this, file = deck_.file(), at = card_offset_] { return deck_.where(file, at); };
+        // The deck outlives this collector.
+        const auto where = [deck = &deck_, file = deck_.file(), at = card_offset_] {
+            return deck->where(file, at);
+        };
         if (name[4] == '2') {
             SystemCard card{id(name, 1), *found, integer(name, 2, 0), {}, {}, false, where};
             for (std::size_t i = 0; i < 9; ++i) card.points[i / 3][i % 3] = real(name, 3 + i);

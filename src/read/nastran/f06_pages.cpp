@@ -142,6 +142,7 @@ private:
     }
 
     void read_title(const std::string& title) {
+        has_columns_ = false;
         if (title.find("REAL EIGENVALUES") != std::string::npos) {
             in_eigenvalues_ = true;
             return;
