@@ -87,8 +87,8 @@ private:
         constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
         // SPOINT cards may overlap, also the ends of ranges.
         std::ranges::sort(cards_.scalar_points);
-        const auto unused = std::ranges::unique(cards_.scalar_points);
-        cards_.scalar_points.erase(unused.begin(), unused.end());
+        const auto unused = std::unique(cards_.scalar_points.begin(), cards_.scalar_points.end());
+        cards_.scalar_points.erase(unused, cards_.scalar_points.end());
         for (const std::int64_t point : cards_.scalar_points)
             builder_.add_node(NodeId{point}, {kNowhere, kNowhere, kNowhere});
         builder_.seal_nodes();
