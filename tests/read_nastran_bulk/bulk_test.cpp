@@ -310,6 +310,14 @@ TEST(NastranBulk, a_missing_include_is_named) {
     EXPECT_EQ(opened.diagnostics.entries()[0].where, "deck.bdf:11");
 }
 
+TEST(NastranBulk, prose_is_no_piece_of_a_deck) {
+    const Opened opened =
+        open_decks({{"deck.bdf", kBrick}, {"readme.txt", "Include the loads.\nCases 1 and 2 are alike.\n"}});
+    expect_brick(opened.mesh());
+    EXPECT_EQ(opened.model->inputs().size(), 1U);
+    EXPECT_FALSE(opened.diagnostics.has(Code::UnknownElementType));
+}
+
 TEST(NastranBulk, includes_that_name_each_other_end) {
     const Opened opened = open_decks(
         {{"deck.bdf", std::string("BEGIN BULK\nINCLUDE 'a.inc'\n") + kBrick},

@@ -67,7 +67,8 @@ Likelihood recognise_bulk(const Input& input) {
             found = Likelihood::Maybe;
         } else if (include_at(line, 0)) {
             if (after_control) return Likelihood::Sure;
-            found = Likelihood::Maybe;
+            // Prose may start with the word; a deck names its file in quotes.
+            if (line.find_first_of("'\"") != std::string_view::npos) found = Likelihood::Maybe;
         } else if (found == Likelihood::No && !after_control && ++strange > 2000) {
             break;
         }
