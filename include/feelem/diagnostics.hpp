@@ -59,6 +59,8 @@ enum class Code : std::uint16_t {
     TruncatedInput,
     LargeRounding,
     IdsOffset,
+    SourcesDisagree,
+    InputLeftOut,
 };
 
 enum class Severity : std::uint8_t {

@@ -178,6 +178,16 @@ constexpr std::array kTable{
         "ids_offset",
         Severity::Note,
         "Instances repeat ids; an offset, which is stated, was added to those of the later ones."},
+    CodeInfo{
+        Code::SourcesDisagree,
+        "sources_disagree",
+        Severity::Warning,
+        "Two inputs of one model differ in some nodes, places or elements; one mesh is shown."},
+    CodeInfo{
+        Code::InputLeftOut,
+        "input_left_out",
+        Severity::Warning,
+        "A file that was found in a folder cannot be read."},
 };
 
 constexpr std::size_t kMostTextsOfACode = 200;

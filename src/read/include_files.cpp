@@ -27,7 +27,9 @@ std::optional<Input> IncludeFiles::find(const std::string& name, const Input& fr
     const std::string wanted = file_name(name);
     if (wanted.empty()) return {};
     for (const Input& input : given_) {
-        if (file_name(input.name()) == wanted && input.name() != from.name()) return without_encoding(input);
+        if (file_name(input.name()) != wanted || input.name() == from.name()) continue;
+        taken_.insert(input.name());
+        return without_encoding(input);
     }
     std::error_code error;
     const fs::path path = (fs::path(from.name()).parent_path() / with_slashes(name)).lexically_normal();

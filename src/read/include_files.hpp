@@ -6,6 +6,7 @@
 #include "base/input.hpp"
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,10 +25,13 @@ public:
 
     /// What find() took from outside the given inputs, in order of first use, each once.
     std::span<const Input> opened() const noexcept { return opened_; }
+    /// Names of the given inputs that find() took: they are no models of their own.
+    const std::set<std::string>& taken() const noexcept { return taken_; }
 
 private:
     std::span<const Input> given_;
     std::vector<Input> opened_;
+    std::set<std::string> taken_;
 };
 
 }  // namespace feelem

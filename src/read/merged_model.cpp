@@ -2,147 +2,76 @@
 #include "read/merged_model.hpp"
 
 #include "base/sha256.hpp"
-
-#include "feelem/error.hpp"
+#include "read/choose_mesh.hpp"
+#include "read/remap_result.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <limits>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 
 namespace feelem {
 namespace {
 
-constexpr const char* kOneModelHint = " Are the files of one model?";
-
-double largest_coordinate(const Mesh& mesh) {
-    double largest = 0;
-    for (const Point3& point : mesh.coordinates) {
-        for (const double x : point) {
-            if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
-        }
-    }
-    return largest;
+bool is_same_division(const Mesh& a, const Mesh& b) {
+    return a.node_angles == b.node_angles &&
+           std::ranges::equal(a.parts, b.parts, {}, &Part::name, &Part::name) &&
+           std::ranges::equal(a.blocks, b.blocks, {}, &ElementBlock::parts, &ElementBlock::parts);
 }
 
-bool same_place(const Point3& a, const Point3& b, double tolerance) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        const bool gaps = std::isnan(a[i]) && std::isnan(b[i]);
-        if (!gaps && !(a[i] == b[i] || std::abs(a[i] - b[i]) <= tolerance)) return false;
-    }
-    return true;
-}
-
-void check_same_nodes(const Mesh& first, const Mesh& second, const std::string& name) {
-    if (first.node_count() != second.node_count()) {
-        throw Error(
-            Code::MeshesDiffer,
-            name,
-            fmt::format(
-                "has {} nodes, the inputs before it {}.{}",
-                second.node_count(),
-                first.node_count(),
-                kOneModelHint
-            )
-        );
-    }
-    const double tolerance = 1e-5 * largest_coordinate(first);
-    for (std::size_t i = 0; i < first.node_count(); ++i) {
-        if (first.node_ids[i] != second.node_ids[i]) {
-            throw Error(
-                Code::MeshesDiffer,
-                name,
-                fmt::format(
-                    "has node {} where the inputs before it have node {}.{}",
-                    raw(second.node_ids[i]),
-                    raw(first.node_ids[i]),
-                    kOneModelHint
-                )
-            );
-        }
-        const Point3& a = first.coordinates[i];
-        const Point3& b = second.coordinates[i];
-        if (!same_place(a, b, tolerance)) {
-            throw Error(
-                Code::MeshesDiffer,
-                name,
-                fmt::format(
-                    "node {} is at ({:g}, {:g}, {:g}), in the inputs before it at ({:g}, {:g}, {:g}).{}",
-                    raw(first.node_ids[i]),
-                    b[0],
-                    b[1],
-                    b[2],
-                    a[0],
-                    a[1],
-                    a[2],
-                    kOneModelHint
-                )
-            );
-        }
-    }
-}
-
-void check_same_block(const ElementBlock& a, const ElementBlock& b, const std::string& name) {
-    if (a.type != b.type || a.ids.size() != b.ids.size()) {
-        throw Error(
-            Code::MeshesDiffer,
-            name,
-            fmt::format(
-                "has {} {} elements, the inputs before it {} {}.{}",
-                b.ids.size(),
-                element_row(b.type).name,
-                a.ids.size(),
-                element_row(a.type).name,
-                kOneModelHint
-            )
-        );
-    }
-    const auto [mine, other] = std::ranges::mismatch(a.ids, b.ids);
-    if (mine != a.ids.end()) {
-        throw Error(
-            Code::MeshesDiffer,
-            name,
-            fmt::format(
-                "has element {} where the inputs before it have element {}.{}",
-                raw(*other),
-                raw(*mine),
-                kOneModelHint
-            )
-        );
-    }
-    const auto node = std::ranges::mismatch(a.nodes, b.nodes).in1;
-    if (node != a.nodes.end()) {
-        const auto row = static_cast<std::size_t>(node - a.nodes.begin()) / element_row(a.type).node_count;
-        throw Error(
-            Code::MeshesDiffer,
-            name,
-            fmt::format(
-                "element {} has other nodes than in the inputs before it.{}", raw(a.ids[row]), kOneModelHint
-            )
-        );
-    }
+bool has_turned_results(const ModelSource& source) {
+    return std::ranges::any_of(source.results(), [](const ResultInfo& info) { return info.nodal_system; });
 }
 
 /// One model made of several sources; input records are hashed when they are first asked for.
 class MergedModel : public ModelSource {
 public:
-    MergedModel(std::vector<OpenedSource> sources, std::vector<UsedInput> inputs)
-        : sources_(std::move(sources)), inputs_(std::move(inputs)) {
+    MergedModel(
+        std::vector<OpenedSource> sources,
+        std::vector<std::unique_ptr<ModelSource>> kept_alive,
+        std::vector<UsedInput> inputs,
+        MeshChoice choice,
+        Diagnostics& diagnostics
+    )
+        : kept_alive_(std::move(kept_alive)), sources_(std::move(sources)), inputs_(std::move(inputs)),
+          choice_(std::move(choice)), diagnostics_(diagnostics) {
         assert(!sources_.empty());
+        adopt_unit();
+        adopt_angles();
         for (const OpenedSource& opened : sources_) append(opened);
+        reported_.resize(results_.size());
     }
 
-    const Mesh& mesh() const override { return sources_.front().source->mesh(); }
+    const Mesh& mesh() const override { return sources_[choice_.shown].source->mesh(); }
     std::span<const Step> steps() const override { return steps_; }
     std::span<const ResultInfo> results() const override { return results_; }
 
     Result load(std::size_t index) override {
         const auto [source, local] = origin_.at(index);
         Result result = sources_[source].source->load(local);
+        const std::optional<MeshMap>& map = choice_.maps[source];
+        if (map) {
+            std::uint64_t left_out = 0;
+            drop_turned_otherwise(source, *map, result);
+            result = remap_result(result, *map, mesh(), left_out);
+            if (left_out > 0 && !reported_[index]) {
+                diagnostics_.add(
+                    Code::ResultWithoutNode,
+                    name_of(source),
+                    fmt::format(
+                        "{} has values at places that the mesh shown does not have; they are left out",
+                        result.info.solver_name
+                    ),
+                    left_out
+                );
+            }
+            reported_[index] = true;
+        }
         result.info = results_[index];
         return result;
     }
@@ -177,6 +106,63 @@ private:
         std::size_t index = 0;
     };
 
+    const std::string& name_of(std::size_t source) const {
+        return inputs_[sources_[source].inputs.front()].input.name();
+    }
+    /// Ours alone, and no constant; a copy would double the memory of a large model.
+    Mesh& shown_mesh() { return const_cast<Mesh&>(mesh()); }
+
+    /// Nodes stand at the same places, so a unit that one source declares is that of all.
+    void adopt_unit() {
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            const std::optional<LengthUnit>& unit = sources_[i].source->mesh().length_unit;
+            if (unit && !mesh().length_unit) shown_mesh().length_unit = unit;
+        }
+    }
+
+    /// Turned nodal systems of the first source that has some, where the mesh shown has none.
+    void adopt_angles() {
+        for (std::size_t i = 0; i < sources_.size() && mesh().node_angles.empty(); ++i) {
+            const std::vector<NodalAngles>& angles = sources_[i].source->mesh().node_angles;
+            if (angles.empty() || !choice_.maps[i] || !has_turned_results(*sources_[i].source)) continue;
+            std::vector<NodalAngles> turned(mesh().node_count(), NodalAngles{});
+            const std::vector<NodeIndex>& nodes = choice_.maps[i]->nodes;
+            for (std::size_t n = 0; n < nodes.size(); ++n) {
+                if (nodes[n] != kNoNode) turned[raw(nodes[n])] = angles[n];
+            }
+            shown_mesh().node_angles = std::move(turned);
+        }
+    }
+
+    /// Values in a nodal system that the mesh shown turns in another way cannot be told in the global one.
+    void drop_turned_otherwise(std::size_t source, const MeshMap& map, Result& result) const {
+        if (!result.info.nodal_system) return;
+        const auto angles_at = [](const Mesh& mesh, std::size_t node) {
+            return mesh.node_angles.empty() ? NodalAngles{} : mesh.node_angles[node];
+        };
+        const Mesh& other = sources_[source].source->mesh();
+        const std::size_t width = result.component_count();
+        std::uint64_t dropped = 0;
+        for (std::size_t row = 0; row < result.row_count(); ++row) {
+            const std::size_t node = result.row_node.empty() ? row : raw(result.row_node[row]);
+            if (node >= map.nodes.size() || map.nodes[node] == kNoNode) continue;
+            if (angles_at(other, node) == angles_at(mesh(), raw(map.nodes[node]))) continue;
+            std::fill_n(&result.values[row * width], width, std::numeric_limits<float>::quiet_NaN());
+            ++dropped;
+        }
+        if (dropped == 0) return;
+        diagnostics_.add(
+            Code::SourcesDisagree,
+            name_of(source),
+            fmt::format(
+                "{} stands in nodal systems that are turned in another way than those of the mesh shown; its "
+                "values there are left out",
+                result.info.solver_name
+            ),
+            dropped
+        );
+    }
+
     void append(const OpenedSource& opened) {
         const auto first_step = static_cast<std::uint32_t>(steps_.size());
         for (Step step : opened.source->steps()) {
@@ -192,8 +178,12 @@ private:
         }
     }
 
+    std::vector<std::unique_ptr<ModelSource>> kept_alive_;
     std::vector<OpenedSource> sources_;
     std::vector<UsedInput> inputs_;
+    MeshChoice choice_;
+    Diagnostics& diagnostics_;
+    std::vector<bool> reported_;
     std::vector<Step> steps_;
     std::vector<ResultInfo> results_;
     std::vector<Origin> origin_;
@@ -203,32 +193,38 @@ private:
 
 }  // namespace
 
-void check_same_mesh(const Mesh& first, const Mesh& second, const std::string& second_name) {
-    check_same_nodes(first, second, second_name);
-    if (first.blocks.size() != second.blocks.size()) {
-        throw Error(
-            Code::MeshesDiffer,
-            second_name,
-            fmt::format(
-                "has {} types of elements, the inputs before it {}.{}",
-                second.blocks.size(),
-                first.blocks.size(),
-                kOneModelHint
-            )
-        );
-    }
-    for (std::size_t i = 0; i < first.blocks.size(); ++i) {
-        check_same_block(first.blocks[i], second.blocks[i], second_name);
-    }
+const Mesh* own_or_shared(Mesh& own, const Mesh* shared) {
+    if (shared != nullptr && own.node_count() == 0) return shared;
+    if (shared == nullptr || !is_same_mesh(*shared, own) || !is_same_division(*shared, own)) return &own;
+    own = {};
+    return shared;
 }
 
-std::unique_ptr<ModelSource> merge_sources(std::vector<OpenedSource> sources, std::vector<UsedInput> inputs) {
-    const Mesh& first = sources.front().source->mesh();
-    for (const OpenedSource& opened : std::span(sources).subspan(1)) {
+const Mesh* mesh_for_next(std::span<const OpenedSource> sources) {
+    const Mesh* best = nullptr;
+    int most = -1;
+    for (const OpenedSource& opened : sources) {
         const Mesh& mesh = opened.source->mesh();
-        if (&mesh != &first) check_same_mesh(first, mesh, inputs[opened.inputs.front()].input.name());
+        const int rank = mesh.element_count() == 0 ? 0 : opened.source->results().empty() ? 1 : 2;
+        if (rank <= most) continue;
+        most = rank;
+        best = &mesh;
     }
-    return std::make_unique<MergedModel>(std::move(sources), std::move(inputs));
+    return best;
+}
+
+std::unique_ptr<ModelSource> merge_sources(
+    std::vector<OpenedSource> sources,
+    std::vector<std::unique_ptr<ModelSource>> kept_alive,
+    std::vector<UsedInput> inputs,
+    Diagnostics& diagnostics
+) {
+    std::vector<std::string> names;
+    for (const OpenedSource& opened : sources) names.push_back(inputs[opened.inputs.front()].input.name());
+    MeshChoice choice = choose_mesh(sources, names, diagnostics);
+    return std::make_unique<MergedModel>(
+        std::move(sources), std::move(kept_alive), std::move(inputs), std::move(choice), diagnostics
+    );
 }
 
 }  // namespace feelem

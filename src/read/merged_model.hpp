@@ -4,17 +4,19 @@
 
 #include "base/input.hpp"
 
+#include "feelem/diagnostics.hpp"
 #include "feelem/model.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace feelem {
 
-/// Throws Error(MeshesDiffer), with numbers, unless both hold the same nodes, coordinates and elements under
-/// the same ids. Coordinates agree to the six digits of a text .frd; parts need not agree.
-void check_same_mesh(const Mesh& first, const Mesh& second, const std::string& second_name);
+/// For readers: a mesh that another source has already, in every node, place, element and part, is not held
+/// twice. `own` is emptied then and `shared` returned, also when `own` has no nodes; else `own` stays.
+const Mesh* own_or_shared(Mesh& own, const Mesh* shared);
 
 /// A source and which of the model's inputs it was made of.
 struct OpenedSource {
@@ -28,7 +30,18 @@ struct UsedInput {
     std::string format;
 };
 
-/// Sources' meshes must agree with the first one's. At least one source.
-std::unique_ptr<ModelSource> merge_sources(std::vector<OpenedSource> sources, std::vector<UsedInput> inputs);
+/// What ReadContext::mesh is for the next source: of those opened the first with elements and results, else
+/// the first with elements, else the first; null when there is none.
+const Mesh* mesh_for_next(std::span<const OpenedSource> sources);
+
+/// One mesh is shown (choose_mesh.hpp), results of the others go to it by id. `kept_alive`: their meshes
+/// may be looked at by the others, nothing more. `diagnostics` must outlive the model. At least one source.
+/// Throws Error(MeshesDiffer).
+std::unique_ptr<ModelSource> merge_sources(
+    std::vector<OpenedSource> sources,
+    std::vector<std::unique_ptr<ModelSource>> kept_alive,
+    std::vector<UsedInput> inputs,
+    Diagnostics& diagnostics
+);
 
 }  // namespace feelem

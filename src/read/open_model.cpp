@@ -9,6 +9,7 @@
 #include "feelem/read.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -21,13 +22,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A file of the model.
+struct NamedInput {
+    Input input;
+    bool was_named = false;  ///< By the user; else it was found in a folder, and may be of no use.
+};
+
 /// Files as given; of a folder its files, one level, by name, without hidden ones.
-std::vector<std::string> files_of(std::span<const std::string> paths) {
-    std::vector<std::string> files;
+std::vector<NamedInput> files_of(std::span<const std::string> paths) {
+    std::vector<NamedInput> files;
     for (const std::string& path : paths) {
         std::error_code error;
         if (!fs::is_directory(path, error)) {
-            files.push_back(path);
+            files.push_back({Input::from_file(path), true});
             continue;
         }
         std::vector<std::string> inside;
@@ -38,7 +45,7 @@ std::vector<std::string> files_of(std::span<const std::string> paths) {
         }
         if (error) throw Error(Code::FileUnreadable, path, "cannot read the folder: " + error.message());
         std::ranges::sort(inside);
-        files.insert(files.end(), std::move_iterator(inside.begin()), std::move_iterator(inside.end()));
+        for (const std::string& file : inside) files.push_back({Input::from_file(file), false});
     }
     return files;
 }
@@ -87,35 +94,50 @@ struct Sorted {
     std::vector<Input> texts;
     std::vector<const ReadFormat*> formats;
     std::vector<UsedInput> used;
+    std::vector<bool> was_named;
+    std::vector<Input> unknown;
 };
 
-Sorted sort_by_format(std::span<const Input> inputs, const ReadOptions& options, Diagnostics& diagnostics) {
+/// One note for all of them.
+void tell_left_out(std::span<const Input> unknown, Diagnostics& diagnostics) {
+    constexpr std::size_t kMostNamed = 8;
+    if (unknown.empty()) return;
+    std::vector<std::string> names;
+    for (const Input& input : unknown.first(std::min(unknown.size(), kMostNamed))) {
+        names.push_back(fs::path(input.name()).filename().string());
+    }
+    diagnostics.add(
+        Code::UnknownBlock,
+        unknown.front().name(),
+        fmt::format(
+            "left out, no reader recognises {}: {}{}",
+            unknown.size() == 1 ? "it" : "them",
+            fmt::join(names, ", "),
+            unknown.size() > names.size() ? " ..." : ""
+        ),
+        unknown.size()
+    );
+}
+
+Sorted sort_by_format(std::span<const NamedInput> inputs, const ReadOptions& options) {
     const ReadFormat* forced = options.from.empty() ? nullptr : forced_format(options.from);
     Sorted sorted;
-    std::string unknown;
-    for (const Input& input : inputs) {
+    for (const auto& [input, was_named] : inputs) {
         Input text = without_encoding(input);
         const ReadFormat* format = forced != nullptr ? forced : surest_format(text);
         if (format == nullptr) {
-            if (unknown.empty()) unknown = input.name();
-            // Named in the text too: entries of one text are counted together.
-            diagnostics.add(
-                Code::UnknownBlock,
-                input.name(),
-                fmt::format(
-                    "{} is left out: no reader recognises it", fs::path(input.name()).filename().string()
-                )
-            );
+            sorted.unknown.push_back(input);
             continue;
         }
         sorted.texts.push_back(std::move(text));
         sorted.formats.push_back(format);
         sorted.used.push_back({input, std::string(format->info.id)});
+        sorted.was_named.push_back(was_named);
     }
     if (sorted.texts.empty()) {
         throw Error(
             Code::UnknownFormat,
-            unknown,
+            sorted.unknown.empty() ? "" : sorted.unknown.front().name(),
             inputs.empty()
                 ? "there are no files to read: folders are searched for files, not for further folders"
                 : fmt::format(
@@ -128,33 +150,122 @@ Sorted sort_by_format(std::span<const Input> inputs, const ReadOptions& options,
     return sorted;
 }
 
-std::unique_ptr<ModelSource> open_inputs(
-    std::span<const Input> inputs, const ReadOptions& options, Diagnostics& diagnostics
-) {
-    Sorted sorted = sort_by_format(inputs, options, diagnostics);
-    std::vector<OpenedSource> sources;
-    IncludeFiles includes(inputs);
-    ReadContext context{options, nullptr, &includes};
-    const auto open = [&](const ReadFormat& format, std::vector<std::uint32_t> which) {
-        std::vector<Input> group;
-        for (const std::uint32_t i : which) group.push_back(sorted.texts[i]);
-        sources.push_back({format.open(group, context, diagnostics), std::move(which)});
-        context.mesh = &sources.front().source->mesh();
-    };
-    for (const ReadFormat& format : read_format_list()) {
-        std::vector<std::uint32_t> which;
-        for (std::uint32_t i = 0; i < sorted.formats.size(); ++i) {
-            if (sorted.formats[i] == &format) which.push_back(i);
+/// Opens inputs, those that bring a mesh first. Files that cannot be read by themselves wait until all others
+/// are open: then a deck may have included them, or brought the mesh that they lack.
+class Opener {
+public:
+    Opener(const Sorted& sorted, const ReadOptions& options, IncludeFiles& includes, Diagnostics& diagnostics)
+        : sorted_(sorted), includes_(includes),
+          diagnostics_(diagnostics), context_{options, nullptr, &includes} {}
+
+    void open_all() {
+        for (const ReadFormat& format : read_format_list()) {
+            std::vector<std::uint32_t> which;
+            for (std::uint32_t i = 0; i < sorted_.formats.size(); ++i) {
+                if (sorted_.formats[i] == &format) which.push_back(i);
+            }
+            if (which.empty()) continue;
+            if (format.many_inputs) {
+                try_to_open(format, std::move(which));
+            } else {
+                for (const std::uint32_t i : which) try_to_open(format, {i});
+            }
         }
-        if (which.empty()) continue;
-        if (format.many_inputs) {
-            open(format, std::move(which));
-        } else {
-            for (const std::uint32_t i : which) open(format, {i});
+        settle();
+    }
+
+    std::vector<OpenedSource> take() {
+        std::vector<OpenedSource> kept;
+        for (OpenedSource& opened : sources_) {
+            if (!was_included(opened.inputs)) kept.push_back(std::move(opened));
+            // Sources without a mesh of their own may look at that of an included file.
+            else
+                kept_alive_.push_back(std::move(opened.source));
+        }
+        return kept;
+    }
+    std::vector<std::unique_ptr<ModelSource>> take_included() { return std::move(kept_alive_); }
+
+private:
+    struct Failed {
+        const ReadFormat* format;
+        std::vector<std::uint32_t> which;
+        bool had_mesh;
+        Error error;
+    };
+
+    bool was_included(const std::vector<std::uint32_t>& which) const {
+        return std::ranges::all_of(which, [&](std::uint32_t i) {
+            return includes_.taken().contains(sorted_.used[i].input.name());
+        });
+    }
+
+    void open(const ReadFormat& format, std::vector<std::uint32_t> which) {
+        std::vector<Input> group;
+        for (const std::uint32_t i : which) group.push_back(sorted_.texts[i]);
+        sources_.push_back({format.open(group, context_, diagnostics_), std::move(which)});
+        context_.mesh = mesh_for_next(sources_);
+    }
+
+    void try_to_open(const ReadFormat& format, std::vector<std::uint32_t> which) {
+        try {
+            open(format, which);
+        } catch (const Error& error) {
+            failed_.push_back({&format, std::move(which), context_.mesh != nullptr, error});
         }
     }
+
+    void settle() {
+        std::vector<Failed> failed = std::move(failed_);
+        failed_.clear();
+        for (Failed& one : failed) {
+            if (was_included(one.which)) continue;
+            if (!one.had_mesh && context_.mesh != nullptr) {
+                const std::size_t before = failed_.size();
+                try_to_open(*one.format, one.which);
+                if (failed_.size() == before) continue;
+                failed_.pop_back();
+            }
+            const bool was_named =
+                std::ranges::any_of(one.which, [&](std::uint32_t i) { return sorted_.was_named[i]; });
+            if (was_named || sources_.empty()) throw one.error;
+            diagnostics_.add(
+                Code::InputLeftOut,
+                sorted_.used[one.which.front()].input.name(),
+                fmt::format("left out, it cannot be read: {}", one.error.what())
+            );
+        }
+    }
+
+    const Sorted& sorted_;
+    IncludeFiles& includes_;
+    Diagnostics& diagnostics_;
+    ReadContext context_;
+    std::vector<OpenedSource> sources_;
+    std::vector<std::unique_ptr<ModelSource>> kept_alive_;
+    std::vector<Failed> failed_;
+};
+
+std::unique_ptr<ModelSource> open_inputs(
+    std::span<const NamedInput> inputs, const ReadOptions& options, Diagnostics& diagnostics
+) {
+    Sorted sorted = sort_by_format(inputs, options);
+    std::vector<Input> given;
+    for (const NamedInput& one : inputs) given.push_back(one.input);
+    IncludeFiles includes(given);
+    Opener opener(sorted, options, includes, diagnostics);
+    opener.open_all();
+    std::vector<OpenedSource> sources = opener.take();
     for (const Input& input : includes.opened()) sorted.used.push_back({input, "included"});
-    return merge_sources(std::move(sources), std::move(sorted.used));
+    std::vector<Input> left_out;
+    for (const Input& input : sorted.unknown) {
+        if (includes.taken().contains(input.name()))
+            sorted.used.push_back({input, "included"});
+        else
+            left_out.push_back(input);
+    }
+    tell_left_out(left_out, diagnostics);
+    return merge_sources(std::move(sources), opener.take_included(), std::move(sorted.used), diagnostics);
 }
 
 }  // namespace
@@ -162,17 +273,15 @@ std::unique_ptr<ModelSource> open_inputs(
 std::unique_ptr<ModelSource> open_model(
     std::span<const std::string> paths, const ReadOptions& options, Diagnostics& diagnostics
 ) {
-    std::vector<Input> inputs;
-    for (const std::string& file : files_of(paths)) inputs.push_back(Input::from_file(file));
-    return open_inputs(inputs, options, diagnostics);
+    return open_inputs(files_of(paths), options, diagnostics);
 }
 
 std::unique_ptr<ModelSource> open_model(
     std::vector<NamedBytes> files, const ReadOptions& options, Diagnostics& diagnostics
 ) {
-    std::vector<Input> inputs;
+    std::vector<NamedInput> inputs;
     for (NamedBytes& file : files) {
-        inputs.push_back(Input::from_memory(std::move(file.name), std::move(file.bytes)));
+        inputs.push_back({Input::from_memory(std::move(file.name), std::move(file.bytes)), true});
     }
     return open_inputs(inputs, options, diagnostics);
 }

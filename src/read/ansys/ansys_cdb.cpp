@@ -59,14 +59,8 @@ public:
         title_ = deck.title;
         version_ = deck.version;
         own_mesh_ = cdb::read_mesh(deck, read_types({}, context.options.types, diagnostics), diagnostics);
-        mesh_ = &own_mesh_;
-        if (context.mesh != nullptr) {
-            const bool has_mesh = own_mesh_.element_count() > 0 || !own_mesh_.skipped_elements.empty();
-            // The same mesh again: one copy is enough.
-            if (has_mesh) check_same_mesh(*context.mesh, own_mesh_, input.name());
-            own_mesh_ = {};
-            mesh_ = context.mesh;
-        } else if (own_mesh_.node_count() == 0) {
+        mesh_ = own_or_shared(own_mesh_, context.mesh);
+        if (mesh_ == &own_mesh_ && own_mesh_.node_count() == 0) {
             throw Error(
                 Code::NoNodes,
                 input.name(),

@@ -108,7 +108,6 @@ private:
         TypeTable types = read_types(model_.files, context.options.types, diagnostics_);
         own_mesh_ =
             build_mesh(model_.files, std::move(types), std::move(nodes), part_names(materials), diagnostics_);
-        mesh_ = &own_mesh_;
         const auto has_no_place = [](const Point3& place) { return std::isnan(place[0]); };
         if (!own_mesh_.blocks.empty() && std::ranges::any_of(own_mesh_.coordinates, has_no_place)) {
             diagnostics_.add(
@@ -118,11 +117,7 @@ private:
                 "NLIST,ALL,,,COORD."
             );
         }
-        if (context.mesh == nullptr) return;
-        // The same mesh again: one copy is enough.
-        check_same_mesh(*context.mesh, own_mesh_, model_.files.front().input.name());
-        own_mesh_ = {};
-        mesh_ = context.mesh;
+        mesh_ = own_or_shared(own_mesh_, context.mesh);
     }
 
     /// Parts that results need besides those of elements.

@@ -61,9 +61,7 @@ private:
     void read_own_mesh(const ReadContext& context) {
         if (layout_.has_nodes) own_mesh_ = read_mesh(input_, layout_, diagnostics_);
         const bool has_mesh = own_mesh_.element_count() > 0 || !own_mesh_.skipped_elements.empty();
-        if (context.mesh != nullptr) {
-            // The same mesh again: one copy is enough. Results alone are matched by id.
-            if (has_mesh) check_same_mesh(*context.mesh, own_mesh_, input_.name());
+        if (context.mesh != nullptr && !has_mesh) {  // Results alone are matched by id.
             own_mesh_ = {};
             mesh_ = context.mesh;
             return;
@@ -75,7 +73,7 @@ private:
                 "the .frd file defines no nodes. Was the solver stopped before it wrote its mesh?"
             );
         }
-        mesh_ = &own_mesh_;
+        mesh_ = own_or_shared(own_mesh_, context.mesh);
     }
 
     void note_partial_results() {

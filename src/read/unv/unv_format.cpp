@@ -50,8 +50,7 @@ public:
 private:
     void choose_mesh(const ReadContext& context) {
         const bool has_elements = own_mesh_.element_count() > 0 || !own_mesh_.skipped_elements.empty();
-        if (context.mesh != nullptr) {
-            if (has_elements) check_same_mesh(*context.mesh, own_mesh_, input_.name());
+        if (context.mesh != nullptr && !has_elements) {
             own_mesh_ = {};
             mesh_ = context.mesh;
             return;
@@ -65,7 +64,7 @@ private:
                 "name the file with the mesh before this one."
             );
         }
-        mesh_ = &own_mesh_;
+        mesh_ = own_or_shared(own_mesh_, context.mesh);
     }
 
     void report(const ResultInfo& info, const Values& values) {
