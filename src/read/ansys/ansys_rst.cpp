@@ -73,7 +73,7 @@ public:
             opened_.push_back({std::make_unique<RstSource>(inputs[i], diagnostics), i});
     }
 
-    std::unique_ptr<ModelSource> open(const Mesh* mesh) {
+    std::unique_ptr<ModelSource> open() {
         for (Opened& opened : opened_) {
             if (!opened.source) continue;
             if (opened.is_domain()) {
@@ -83,14 +83,10 @@ public:
                 sources_.push_back({std::move(opened.source), {opened.input}});
             }
         }
-        if (mesh != nullptr) {
-            for (const OpenedSource& source : sources_)
-                check_same_mesh(*mesh, source.source->mesh(), inputs_[source.inputs.front()].name());
-        }
         if (sources_.size() == 1) return std::move(sources_.front().source);
         std::vector<UsedInput> used;
         for (const Input& input : inputs_) used.push_back({input, "ansys-rst"});
-        return merge_sources(std::move(sources_), std::move(used));
+        return merge_sources(std::move(sources_), {}, std::move(used), diagnostics_);
     }
 
 private:
@@ -159,9 +155,9 @@ private:
 };
 
 std::unique_ptr<ModelSource> open_rst(
-    std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics
+    std::span<const Input> inputs, const ReadContext&, Diagnostics& diagnostics
 ) {
-    return Opener(inputs, diagnostics).open(context.mesh);
+    return Opener(inputs, diagnostics).open();
 }
 
 }  // namespace
