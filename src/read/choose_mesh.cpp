@@ -192,6 +192,26 @@ bool same_angles(const Mesh& a, const Mesh& b) {
 
 }  // namespace
 
+void check_same_mesh(const Mesh& first, const Mesh& second, const std::string& second_name) {
+    if (is_same_mesh(first, second)) return;
+    const MeshMap map = map_mesh(second, first);
+    if (map.same_nodes < second.node_count() || first.node_count() != second.node_count()) {
+        refuse(second, first, map, second_name, "the input before it");
+    }
+    throw Error(
+        Code::MeshesDiffer,
+        second_name,
+        fmt::format(
+            "has {} elements, the input before it has {}; {} agree in number and corners. Are the files of "
+            "one "
+            "model?",
+            second.element_count(),
+            first.element_count(),
+            map.same_elements
+        )
+    );
+}
+
 MeshChoice choose_mesh(
     std::span<const OpenedSource> sources, std::span<const std::string> names, Diagnostics& diagnostics
 ) {

@@ -30,6 +30,10 @@ struct UsedInput {
     std::string format;
 };
 
+/// For readers that make one source of several files, and cannot keep two meshes: throws
+/// Error(MeshesDiffer), with counts, unless both are the same.
+void check_same_mesh(const Mesh& first, const Mesh& second, const std::string& second_name);
+
 /// What ReadContext::mesh is for the next source: of those opened the first with elements and results, else
 /// the first with elements, else the first; null when there is none.
 const Mesh* mesh_for_next(std::span<const OpenedSource> sources);
