@@ -209,7 +209,7 @@ MeshMap map_mesh(const Mesh& other, const Mesh& shown) {
 bool is_one_model(const MeshMap& map, const Mesh& other, const Mesh& shown) {
     const std::size_t nodes = std::min(other.node_count(), shown.node_count());
     const std::size_t elements = std::min(other.element_count(), shown.element_count());
-    return (nodes > 0 && 2 * map.same_nodes >= nodes) || (elements > 0 && 2 * map.thickened >= elements);
+    return (nodes > 0 && 2 * map.same_nodes > nodes) || (elements > 0 && 2 * map.thickened >= elements);
 }
 
 }  // namespace feelem
