@@ -41,6 +41,7 @@ enum class Takes : std::uint8_t {
     Json = 8,
     Place = 16,
     Serving = 32,
+    Brief = 128,
 };
 constexpr Takes operator|(Takes a, Takes b) {
     return static_cast<Takes>(static_cast<unsigned>(a) | static_cast<unsigned>(b));

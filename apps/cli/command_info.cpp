@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace feelem::cli {
@@ -65,6 +67,7 @@ void print_model(const ModelReport& report) {
 }
 
 void print_skin(const ModelReport& report) {
+    if (report.is_brief) return;
     if (!report.skin) {
         fmt::print("Skin     none: nothing here can be drawn\n");
         return;
@@ -112,8 +115,68 @@ std::string extreme(const ComponentRange& range, float value, std::int64_t id, s
     return fmt::format("{} @ {}", value, id);
 }
 
+bool is_ours(Averaging averaging) {
+    return averaging != Averaging::NotApplicable && averaging != Averaging::Solver;
+}
+
+std::string_view averaged(Averaging averaging) {
+    if (averaging == Averaging::None) return "unaveraged";
+    return averaging == Averaging::All ? "across parts" : "in parts";
+}
+
+bool has_several_averagings(const ModelReport& report) {
+    std::set<Averaging> found;
+    for (const ResultReport& result : report.results) {
+        if (is_ours(result.info.averaging)) found.insert(result.info.averaging);
+    }
+    return found.size() > 1;
+}
+
+/// Sums of reactions, a line a result and step.
+void print_reactions(const ModelReport& report) {
+    if (report.reactions.empty()) return;
+    fmt::print("\n{:<28} {:<8} {:<8} {:<10} {}\n", "Sum over all nodes", "Unit", "Step", "Nodes", "Sum");
+    for (const ReactionSum& reaction : report.reactions) {
+        const Step& step = report.steps.at(reaction.info.step);
+        const std::string_view complex = word(reaction.info.complex);
+        std::string sum;
+        for (std::size_t c = 0; c < reaction.sum.size(); ++c) {
+            const std::string& component = reaction.info.components[c];
+            const std::string name = component == "value" ? "" : component + " ";
+            sum += fmt::format("{}{}{:.7g}", c == 0 ? "" : ", ", name, reaction.sum[c]);
+        }
+        fmt::print(
+            "{:<28} {:<8} {:<8} {:<10} {}\n",
+            reaction.info.name + (complex.empty() ? "" : " ") + std::string(complex),
+            reaction.info.unit.empty() ? "-" : reaction.info.unit,
+            fmt::format("{}.{}", step.step, step.substep),
+            grouped(reaction.nodes),
+            sum
+        );
+    }
+}
+
+/// Each result once, with the number of steps that it stands at.
+void print_names(const ModelReport& report) {
+    std::vector<std::pair<std::string, std::size_t>> names;
+    for (const ResultReport& result : report.results) {
+        std::string name = result.info.name;
+        for (const std::string_view note : {word(result.info.layer), word(result.info.complex)}) {
+            if (!note.empty()) name += " " + std::string(note);
+        }
+        const auto known = std::ranges::find(names, name, &std::pair<std::string, std::size_t>::first);
+        if (known == names.end())
+            names.emplace_back(name, 1);
+        else
+            ++known->second;
+    }
+    fmt::print("\n");
+    for (const auto& [name, steps] : names) fmt::print("Result   {} (at {} steps)\n", name, grouped(steps));
+}
+
 void print_results(const ModelReport& report) {
     if (report.results.empty()) return;
+    if (report.is_brief) return print_names(report);
     fmt::print(
         "\n{:<28} {:<8} {:<8} {:<26} {:<26} {}\n",
         "Result",
@@ -123,11 +186,15 @@ void print_results(const ModelReport& report) {
         "Maximum @ id",
         "Missing"
     );
+    const bool several = has_several_averagings(report);
     for (const ResultReport& result : report.results) {
         const Step& step = report.steps.at(result.info.step);
         std::string extra;
         for (const std::string_view note : {word(result.info.layer), word(result.info.complex)}) {
             if (!note.empty()) extra += " " + std::string(note);
+        }
+        if (several && is_ours(result.info.averaging)) {
+            extra += fmt::format(" ({})", averaged(result.info.averaging));
         }
         for (const ComponentRange& range : result.ranges) {
             const std::string component = range.component == "value" ? "" : " " + range.component;
@@ -164,6 +231,7 @@ int run_info(const Options& options) {
     print_skin(*report);
     print_steps(*report);
     print_results(*report);
+    print_reactions(*report);
     diagnostics.print();
     return 0;
 }

@@ -67,7 +67,7 @@ std::array<double, Count> numbers(const std::string& option, const std::string& 
 
 /// Texts as they stand on the line, before they become options.
 struct Texts {
-    std::vector<std::string> units;
+    std::vector<std::string> units, averages;
     std::string point, ray, up = "z";
 };
 
@@ -84,8 +84,6 @@ void add_reading_options(CLI::App& app, Job& job) {
 void add_model_options(CLI::App& app, Job& job, Texts& texts) {
     static const std::map<std::string, SkinMethod> skins{
         {"exact", SkinMethod::Exact}, {"node-list", SkinMethod::NodeList}, {"all", SkinMethod::All}};
-    static const std::map<std::string, Averaging> averages{
-        {"part", Averaging::Part}, {"all", Averaging::All}, {"none", Averaging::None}};
     const auto one_of = [](const auto& words) { return CLI::CheckedTransformer(words).description(""); };
     app.add_option("--skin", job.skin.method, "exact | node-list | all: which facets are the skin (exact)")
         ->transform(one_of(skins))
@@ -99,8 +97,23 @@ void add_model_options(CLI::App& app, Job& job, Texts& texts) {
         ->option_text(" ");
     app.add_option("--up", texts.up, "x | y | z: the model's up axis (z)")->option_text(" ");
     app.add_option("--results", job.results, "all | LIST: which results, by name")->option_text(" ");
-    app.add_option("--average", job.average, "part | all | none: nodal averaging of element results (part)")
-        ->transform(one_of(averages))
+    app.add_option(
+           "--average",
+           texts.averages,
+           "part | all | none, or several with commas: nodal averaging of element results (part)"
+    )
+        ->allow_extra_args(false)
+        ->option_text(" ");
+    app.add_option(
+           "--result-system",
+           job.result_systems,
+           "cylindrical:OX,OY,OZ,AX,AY,AZ: radial, hoop and axial results too; may be repeated"
+    )
+        ->allow_extra_args(false)
+        ->option_text(" ");
+    app.add_option(
+           "--envelope", job.envelopes, "max | min | absmax, or several with commas: extremes over the steps"
+    )
         ->option_text(" ");
     app.add_option("--subdivide", job.skin.subdivide, "N: cut edges of quadratic facets into 2^N pieces (1)")
         ->check(CLI::Range(0, 5).description(""))
@@ -120,6 +133,8 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
     }
     if (has(takes, Takes::Reading)) add_reading_options(app, options.job);
     if (has(takes, Takes::Model)) add_model_options(app, options.job, texts);
+    if (has(takes, Takes::Brief))
+        app.add_flag("--brief", options.job.brief, "Steps and names alone: reads no values, makes no skin");
     if (has(takes, Takes::Json)) app.add_flag("--json", options.json, "Machine-readable, stable");
     if (has(takes, Takes::Place)) {
         app.add_option("--node", options.node, "ID, a whole number: at a node")->option_text(" ");
@@ -141,6 +156,26 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
     app.add_flag("--verbose", options.verbose, "A line a stage with seconds and peak memory");
 }
 
+std::vector<Averaging> averagings(const std::vector<std::string>& texts) {
+    std::vector<Averaging> found;
+    for (const std::string& text : texts) {
+        std::string_view rest = text;
+        while (true) {
+            const std::size_t comma = rest.find(',');
+            const std::string_view item = trim(rest.substr(0, comma));
+            const bool known = item == "part" || item == "all" || item == "none";
+            if (!known) throw UsageError(fmt::format("--average \"{}\": expected part, all or none", item));
+            const Averaging averaging = item == "part"  ? Averaging::Part
+                                        : item == "all" ? Averaging::All
+                                                        : Averaging::None;
+            if (std::ranges::find(found, averaging) == found.end()) found.push_back(averaging);
+            if (comma == std::string_view::npos) break;
+            rest.remove_prefix(comma + 1);
+        }
+    }
+    return found;
+}
+
 void finish_options(const CLI::App& app, const Command& command, Options& options, const Texts& texts) {
     for (const std::string& text : texts.units) {
         const std::size_t equals = text.find('=');
@@ -149,6 +184,7 @@ void finish_options(const CLI::App& app, const Command& command, Options& option
         }
         options.job.units[text.substr(0, equals)] = text.substr(equals + 1);
     }
+    if (!texts.averages.empty()) options.job.averages = averagings(texts.averages);
     if (texts.up != "x" && texts.up != "y" && texts.up != "z") {
         throw UsageError(fmt::format("--up \"{}\": expected x, y or z", texts.up));
     }

@@ -17,8 +17,8 @@ constexpr std::array kCommands{
     Command{
         "info",
         "Say what is in the files: mesh, parts, steps, results with ranges, skin",
-        "INPUT... [--json]",
-        Takes::Inputs | Takes::Reading | Takes::Model | Takes::Json,
+        "INPUT... [--brief] [--json]",
+        Takes::Inputs | Takes::Reading | Takes::Model | Takes::Brief | Takes::Json,
         run_info},
     Command{
         "view",

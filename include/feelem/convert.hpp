@@ -35,7 +35,12 @@ struct Job {
     std::map<std::string, std::string> units;  ///< result name -> unit
     std::string steps;                         ///< "", "last", "all", "1,3", "1.3", "mode:2"
     std::string results;                       ///< "", "all" or names
-    Averaging average = Averaging::Part;
+    /// Part, All, None: the first one is shown first.
+    std::vector<Averaging> averages{Averaging::Part};
+    /// "cylindrical:OX,OY,OZ,AX,AY,AZ": results in these systems besides those in the global one.
+    std::vector<std::string> result_systems;
+    bool brief = false;     ///< report_model() reads no values and makes no skin: quick for many steps.
+    std::string envelopes;  ///< "", "max", "min", "absmax", or several with commas: over the chosen steps.
     char up = 'z';
     std::string presentation_file;
     std::string title;
@@ -64,8 +69,15 @@ struct ComponentRange {
     std::uint64_t zeros = 0;                        ///< Rows that are exactly zero.
 };
 struct ResultReport {
-    ResultInfo info;  ///< As averaged by the job.
-    std::vector<ComponentRange> ranges;
+    ResultInfo info;                     ///< As averaged by the job.
+    std::vector<ComponentRange> ranges;  ///< None when the report is brief.
+};
+
+/// The sum over all nodes of a result whose name begins with reaction_.
+struct ReactionSum {
+    ResultInfo info;          ///< ResultInfo::step counts in ModelReport::steps.
+    std::vector<double> sum;  ///< One a component, of the float values in the global system, in node order.
+    std::uint64_t nodes = 0;  ///< With a value.
 };
 
 /// What `feelem info` says of a model.
@@ -77,8 +89,10 @@ struct ModelReport {
     std::optional<LengthUnit> length_unit;
     SkinMethod skin_method = SkinMethod::Exact;
     std::optional<SkinReport> skin;  ///< Empty when nothing can be drawn.
+    bool is_brief = false;           ///< No skin, no ranges, no sums.
     std::vector<Step> steps;
     std::vector<ResultReport> results;  ///< ResultInfo::step counts in `steps`.
+    std::vector<ReactionSum> reactions;
 };
 
 /// Empty when cancelled.

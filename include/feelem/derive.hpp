@@ -38,4 +38,21 @@ Result average(const Mesh& mesh, const Result& result, Averaging averaging);
 /// unchanged.
 Result to_global(const Mesh& mesh, const Result& result);
 
+/// A place and a direction: the axis of a cylinder. Need not be of unit length, but not 0 either.
+struct CylindricalSystem {
+    Point3 origin{};
+    Point3 axis{0, 0, 1};
+};
+
+/// Vectors and tensors with x y z or xx ... that are not turned already, and no amplitudes.
+bool can_be_cylindrical(const ResultInfo& info);
+
+/// What such a result becomes, without its values: radial hoop axial, and of tensors radial_hoop hoop_axial
+/// axial_radial.
+ResultInfo cylindrical_info(const ResultInfo& info);
+
+/// Components along r, theta and z at the place of each row (the mean of its corners for an element), from a
+/// result in the global system. On the axis only axial components have a value.
+Result to_cylindrical(const Mesh& mesh, const Result& result, const CylindricalSystem& system);
+
 }  // namespace feelem

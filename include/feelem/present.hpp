@@ -108,6 +108,7 @@ struct PresentedResult {
     std::string component = "value";
     std::string location = "nodal";
     std::string averaging{};  ///< Empty: not said.
+    std::string layer{};      ///< top middle bottom; empty: not said.
     std::string unit{};
     std::string range_mode = "auto";   ///< auto allSteps percentile manual
     std::optional<double> lo{}, hi{};  ///< Set by the user (manual) or by the converter.

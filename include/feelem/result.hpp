@@ -84,6 +84,7 @@ struct ResultInfo {
     Complex complex = Complex::No;
     Layer layer = Layer::No;
     Shear shear = Shear::NotApplicable;
+    std::string system;  ///< "cylindrical:OX,OY,OZ,AX,AY,AZ"; empty: that of the file or the global one.
     bool nodal_system = false;  ///< Components are in rotated nodal systems (Mesh::node_angles).
     bool corner_only = false;   ///< The solver lists corner nodes only (PRNSOL,S): decision 0010.
 };

@@ -44,6 +44,7 @@ struct SceneResult {
     Complex complex = Complex::No;
     Layer layer = Layer::No;
     Shear shear = Shear::NotApplicable;
+    std::string system;  ///< Of the components, as ResultInfo says it; empty: the global one.
     bool derived = false;
     std::vector<SceneValues> values;
 };

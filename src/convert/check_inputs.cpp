@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "convert/check_inputs.hpp"
 
+#include "convert/prepared_source.hpp"
 #include "convert/skin_options.hpp"
 #include "convert/stage.hpp"
 
@@ -96,6 +97,38 @@ void check_files(const ModelSource& source, const Scene& scene, const Job& job, 
     }
 }
 
+/// The ways of averaging, systems and envelopes that the scene says it has.
+Preparing preparing_of(const Scene& scene) {
+    Job as_said;
+    as_said.averages.clear();
+    for (const SceneResult& result : scene.results) {
+        const bool is_ours =
+            result.averaging != Averaging::NotApplicable && result.averaging != Averaging::Solver;
+        if (is_ours && std::ranges::find(as_said.averages, result.averaging) == as_said.averages.end())
+            as_said.averages.push_back(result.averaging);
+        const auto known = std::ranges::find(as_said.result_systems, result.system);
+        if (!result.system.empty() && known == as_said.result_systems.end())
+            as_said.result_systems.push_back(result.system);
+    }
+    const auto envelopes = scene.notes.find("envelopes");
+    if (envelopes != scene.notes.end()) as_said.envelopes = envelopes->second;
+    return preparing_of(as_said);
+}
+
+/// Results of the inputs at the steps of the scene: an envelope is over these.
+std::vector<std::size_t> results_of(const ModelSource& source, const Scene& scene) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < source.results().size(); ++i) {
+        const Step& its = source.steps()[source.results()[i].step];
+        const bool is_there = std::ranges::any_of(scene.steps, [&](const Step& step) {
+            return step.step == its.step && step.substep == its.substep && step.kind == its.kind &&
+                   step.value == its.value;
+        });
+        if (is_there) found.push_back(i);
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<Claim> check_against_inputs(
@@ -113,7 +146,8 @@ std::vector<Claim> check_against_inputs(
         claims.push_back(check_counts(source->mesh(), scene, found));
         report_progress(progress, "triangles", 0);
         for (Claim& claim : check_triangles(source->mesh(), scene)) claims.push_back(std::move(claim));
-        for (Claim& claim : check_values(*source, scene, progress)) claims.push_back(std::move(claim));
+        PreparedSource shown(*source, results_of(*source, scene), preparing_of(scene));
+        for (Claim& claim : check_values(shown, scene, progress)) claims.push_back(std::move(claim));
         return claims;
     } catch (const Cancelled&) {
         return {};

@@ -163,8 +163,9 @@ std::optional<Result> with_components(const Result& result, const std::vector<st
 bool may_be(const ModelSource& source, const ResultInfo& info, const SceneResult& wanted, const Step& step) {
     const Step& its = source.steps()[info.step];
     return info.name == wanted.quantity && info.solver_name == wanted.source &&
-           info.complex == wanted.complex && info.layer == wanted.layer && its.step == step.step &&
-           its.substep == step.substep && its.kind == step.kind && its.value == step.value;
+           info.complex == wanted.complex && info.layer == wanted.layer && info.system == wanted.system &&
+           its.step == step.step && its.substep == step.substep && its.kind == step.kind &&
+           its.value == step.value;
 }
 
 /// A sum of at most eight floats in double, rounded once. Terms of very different size, such as 9.5 and

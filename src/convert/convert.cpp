@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // read -> derive -> skin -> present -> write.
+#include "convert/prepared_source.hpp"
 #include "convert/scene_plan.hpp"
 #include "convert/selection.hpp"
 #include "convert/stage.hpp"
@@ -104,12 +105,13 @@ void run(const Job& job, Diagnostics& diagnostics, const Progress& progress) {
     const std::unique_ptr<ModelSource> source = open_job(job, diagnostics, progress);
     if (!source) throw Cancelled{};
     const auto steps = select_steps(source->steps(), job.steps, default_steps_of(kind), diagnostics);
-    auto results = select_results(*source, steps, job.results);
-    Work work{job, diagnostics, progress, *source, plan_scene(*source, steps, results, job.average)};
+    PreparedSource shown(*source, select_results(*source, steps, job.results), preparing_of(job));
+    std::vector<std::size_t> results = shown.all_results();
+    Work work{job, diagnostics, progress, shown, plan_scene(shown, shown.used_steps(), results)};
     if (kind == OutputKind::Glb || kind == OutputKind::Gltf) return write_as_scene(work);
     report_left_out(job, work.plan, diagnostics);
     results = only_last(work.plan, std::move(results));
-    work.plan = plan_scene(*source, steps, results, job.average);
+    work.plan = plan_scene(shown, shown.used_steps(), results);
     if (kind == OutputKind::Ply) return write_as_ply(work);
     write_as_vtu(work);
 }

@@ -24,7 +24,7 @@ const Step* step_of(const ScenePlan& plan) {
 void write_as_ply(Work& work) {
     const Surface surface = skin_of(work);
     std::vector<NamedField> fields;
-    SceneValueStore store(work.source, surface, work.plan, work.job.average);
+    SceneValueStore store(work.source, surface, work.plan);
     store.read_all(work.progress);
     report_interpolation(work, store.interpolated());
     report_progress(work.progress, "write", 0);
@@ -49,9 +49,11 @@ void write_as_vtu(Work& work) {
     }
     for (const auto& [index, planned] : users) {
         report_progress(work.progress, "results", fraction_of(results.size(), work.plan.results.size()));
-        Result result = load_prepared(work.source, index, work.job.average);
+        Result result = work.source.load(index);
         for (const PlannedResult* piece : planned) {
             const bool is_whole = piece->components.size() > 1 || piece->components.front() == "value";
+            const bool is_turned = !result.info.system.empty() && piece == planned.front();
+            if (is_turned) result.info.name += "_cylindrical";
             if (is_whole) result.info.name = piece->scene.id;  // "stress_top": unlike its other layers
             if (!piece->scene.derived) continue;
             results.push_back(component_of(result, piece->components.front()));

@@ -64,7 +64,7 @@ Surface skin_of(const Work& work) {
 
 void write_as_scene(Work& work) {
     const Surface surface = skin_of(work);
-    SceneValueStore store(work.source, surface, work.plan, work.job.average);
+    SceneValueStore store(work.source, surface, work.plan);
     store.read_all(work.progress);
     report_interpolation(work, store.interpolated());
 
@@ -91,6 +91,7 @@ void write_as_scene(Work& work) {
     contents.shown_step = choose_shown_step(work.plan, contents.presentation);
     contents.notes["skin"] = skin_note(work.job.skin.method);
     contents.notes["subdivide"] = std::to_string(work.job.skin.subdivide);
+    if (!work.job.envelopes.empty()) contents.notes["envelopes"] = work.job.envelopes;
     if (store.interpolated() > 0) {
         contents.notes["midside_interpolated"] = std::to_string(store.interpolated());
     }

@@ -169,7 +169,7 @@ std::unique_ptr<ModelSource> open_job(const Job& job, Diagnostics& diagnostics, 
         auto source = std::make_unique<JobSource>(open_model(job.inputs, job.read, diagnostics));
         if (unit) source->declare_length_unit(*unit);
         source->declare_units(job.units);
-        source->leave_out(find_twins(*source, progress));
+        if (!job.brief) source->leave_out(find_twins(*source, progress));
         for (const ResultInfo& info : source->results()) {
             if (!info.nodal_system || source->mesh().node_angles.empty()) continue;
             diagnostics.add(

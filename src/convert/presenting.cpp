@@ -3,6 +3,7 @@
 
 #include "base/input.hpp"
 #include "base/nearest_name.hpp"
+#include "convert/prepared_source.hpp"
 #include "convert/scene_target.hpp"
 
 #include "feelem/error.hpp"
@@ -147,7 +148,7 @@ std::size_t choose_shown_step(const ScenePlan& plan, const Presentation& present
     std::size_t best = 0, most = 0;
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const StepKind kind = plan.steps[i].kind;
-        if (kind == StepKind::Mode || kind == StepKind::Buckling) continue;
+        if (kind == StepKind::Mode || kind == StepKind::Buckling || is_envelope(plan.steps[i])) continue;
         const auto count =
             static_cast<std::size_t>(std::ranges::count_if(plan.results, [&](const PlannedResult& r) {
                 return values_at(r, i) != kNone;

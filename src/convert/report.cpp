@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is in the inputs: mesh, skin, steps, and every result with its ranges over the whole model.
 #include "convert/model_values.hpp"
+#include "convert/prepared_source.hpp"
 #include "convert/selection.hpp"
 #include "convert/skin_options.hpp"
 #include "convert/stage.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace feelem {
 namespace {
@@ -61,6 +63,55 @@ std::optional<SkinReport> describe_skin(const Mesh& mesh, const Job& job, Diagno
     }
 }
 
+/// The sum of a reaction over all nodes; nothing for other results, and for amplitudes, which have no sum.
+std::optional<ReactionSum> sum_of_reaction(const Result& result) {
+    const ResultInfo& info = result.info;
+    const bool is_linear = info.complex != Complex::Amplitude && info.complex != Complex::Phase;
+    const bool is_sum = info.name.starts_with("reaction_") && info.location == Location::Nodal &&
+                        info.system.empty() && is_linear && info.shape != Shape::Other;
+    if (!is_sum) return std::nullopt;
+    const std::size_t width = result.component_count();
+    const std::size_t leading = info.shape == Shape::Vector ? std::min<std::size_t>(width, 3) : 1;
+    ReactionSum reaction{info, std::vector<double>(leading, 0.0), 0};
+    reaction.info.components.resize(leading);
+    for (std::size_t row = 0; row < result.row_count(); ++row) {
+        bool any = false;
+        for (std::size_t c = 0; c < leading; ++c) {
+            const float value = result.values[row * width + c];
+            if (std::isnan(value)) continue;
+            any = true;
+            reaction.sum[c] += static_cast<double>(value);
+        }
+        if (any) ++reaction.nodes;
+    }
+    return reaction;
+}
+
+/// Every result, one at a time, and the steps that they stand at; steps without results are listed too.
+void describe_results(
+    PreparedSource& shown, std::vector<std::size_t> steps, const Progress& progress, ModelReport& report
+) {
+    for (const std::size_t step : shown.used_steps()) {
+        if (std::ranges::find(steps, step) == steps.end()) steps.push_back(step);  // An envelope.
+    }
+    for (const std::size_t step : steps) report.steps.push_back(shown.steps()[step]);
+    for (std::size_t i = 0; i < shown.results().size(); ++i) {
+        report_progress(progress, "results", fraction_of(i, shown.results().size()));
+        // Heads alone: names and steps were read when the inputs were opened.
+        const Result result = report.is_brief ? Result{shown.results()[i], {}, {}, {}} : shown.load(i);
+        const auto at = std::ranges::find(steps, static_cast<std::size_t>(result.info.step));
+        const auto step = static_cast<std::uint32_t>(at - steps.begin());
+        report.results.push_back({result.info, {}});
+        report.results.back().info.step = step;
+        if (report.is_brief) continue;
+        report.results.back().ranges = ranges_over_model(shown.mesh(), result);
+        if (auto reaction = sum_of_reaction(result)) {
+            reaction->info.step = step;
+            report.reactions.push_back(std::move(*reaction));
+        }
+    }
+}
+
 }  // namespace
 
 std::optional<ModelReport> report_model(const Job& job, Diagnostics& diagnostics, const Progress& progress) {
@@ -73,18 +124,12 @@ std::optional<ModelReport> report_model(const Job& job, Diagnostics& diagnostics
         describe_mesh(source->mesh(), report);
         report_progress(progress, "skin", 0);
         report.skin_method = job.skin.method;
-        report.skin = describe_skin(source->mesh(), job, diagnostics);
+        report.is_brief = job.brief;
+        if (!job.brief) report.skin = describe_skin(source->mesh(), job, diagnostics);
 
         const auto steps = select_steps(source->steps(), job.steps, DefaultSteps::All, diagnostics);
-        const auto results = select_results(*source, steps, job.results);
-        for (const std::size_t step : steps) report.steps.push_back(source->steps()[step]);
-        for (std::size_t i = 0; i < results.size(); ++i) {
-            report_progress(progress, "results", fraction_of(i, results.size()));
-            const Result result = load_prepared(*source, results[i], job.average);
-            report.results.push_back({result.info, ranges_over_model(source->mesh(), result)});
-            const auto step = std::ranges::find(steps, static_cast<std::size_t>(result.info.step));
-            report.results.back().info.step = static_cast<std::uint32_t>(step - steps.begin());
-        }
+        PreparedSource shown(*source, select_results(*source, steps, job.results), preparing_of(job));
+        describe_results(shown, steps, progress, report);
         report_progress(progress, "results", 1);
         return report;
     } catch (const Cancelled&) {

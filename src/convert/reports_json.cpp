@@ -137,8 +137,28 @@ Json result_json(const ModelReport& report, const ResultReport& result) {
     add("layer", word(info.layer));
     add("averaging", word(info.averaging));
     add("shear", word(info.shear));
+    add("system", info.system);
     json["ranges"] = Json::array();
     for (const ComponentRange& range : result.ranges) json["ranges"].push_back(range_json(range));
+    return json;
+}
+
+Json reaction_json(const ModelReport& report, const ReactionSum& reaction) {
+    const Step& step = report.steps.at(reaction.info.step);
+    Json json{
+        {"name", reaction.info.name},
+        {"solver_name", reaction.info.solver_name},
+        {"unit", text_or_null(reaction.info.unit)},
+        {"input", step.input},
+        {"step", step.step},
+        {"substep", step.substep},
+        {"value", number(step.value)},
+        {"nodes", reaction.nodes},
+        {"sum", Json::object()}};
+    if (const auto complex = word(reaction.info.complex); !complex.empty()) json["complex"] = complex;
+    for (std::size_t c = 0; c < reaction.sum.size(); ++c) {
+        json["sum"][reaction.info.components[c]] = number(reaction.sum[c]);
+    }
     return json;
 }
 
@@ -218,7 +238,11 @@ std::string info_json(const ModelReport& report, const Diagnostics& diagnostics)
         {"skin", skin_json(report)},
         {"steps", Json::array()},
         {"results", Json::array()},
+        {"reactions", Json::array()},
         {"diagnostics", Json::array()}};
+    for (const ReactionSum& reaction : report.reactions) {
+        json["reactions"].push_back(reaction_json(report, reaction));
+    }
     for (const InputRecord& input : report.inputs) {
         json["inputs"].push_back(
             {{"path", input.path}, {"format", input.format}, {"bytes", input.bytes}, {"sha256", input.sha256}}

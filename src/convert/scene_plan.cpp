@@ -50,7 +50,37 @@ std::vector<Piece> pieces_of(const ResultInfo& info) {
     return pieces;
 }
 
-std::string id_of(const ResultInfo& info, const Piece& piece) {
+/// Which averagings of one element result the plan has: more than one needs to be told apart.
+class Averagings {
+public:
+    Averagings(const ModelSource& source, std::span<const std::size_t> results) {
+        for (const std::size_t i : results) {
+            const Averaging averaging = source.results()[i].averaging;
+            const bool is_ours = averaging != Averaging::NotApplicable && averaging != Averaging::Solver;
+            if (is_ours && std::ranges::find(found_, averaging) == found_.end()) found_.push_back(averaging);
+        }
+    }
+    /// Nothing for the first one, which is the usual one.
+    bool needs_word(Averaging averaging) const {
+        return found_.size() > 1 && averaging != found_.front() &&
+               std::ranges::find(found_, averaging) != found_.end();
+    }
+    bool are_several() const { return found_.size() > 1; }
+
+private:
+    std::vector<Averaging> found_;
+};
+
+std::string_view id_word(Averaging averaging) {
+    switch (averaging) {
+    case Averaging::Part: return "in_parts";
+    case Averaging::All: return "across_parts";
+    case Averaging::None: return "unaveraged";
+    default: return "";
+    }
+}
+
+std::string id_of(const ResultInfo& info, const Piece& piece, const Averagings& averagings) {
     static const std::map<Complex, std::string_view> parts{
         {Complex::No, ""},
         {Complex::Real, "re"},
@@ -62,7 +92,9 @@ std::string id_of(const ResultInfo& info, const Piece& piece) {
          {std::string_view(info.name),
           std::string_view(piece.suffix),
           word(info.layer),
-          parts.at(info.complex)}) {
+          parts.at(info.complex),
+          info.system.empty() || !piece.suffix.empty() ? std::string_view() : std::string_view("cylindrical"),
+          averagings.needs_word(info.averaging) ? id_word(info.averaging) : std::string_view()}) {
         if (!word.empty()) id += (id.empty() ? "" : "_") + std::string(word);
     }
     for (char& c : id) {
@@ -75,13 +107,20 @@ std::string id_of(const ResultInfo& info, const Piece& piece) {
     return id.empty() ? "result" : id;
 }
 
-SceneResult scene_result(const ResultInfo& info, const Piece& piece, std::string id) {
+SceneResult scene_result(
+    const ResultInfo& info, const Piece& piece, std::string id, const Averagings& averagings
+) {
     SceneResult result;
     result.id = std::move(id);
     result.quantity = info.name;
     result.title = title_of(info.name, piece.suffix);
     for (const std::string_view note : {word(info.layer), word(info.complex)}) {
         if (!note.empty()) result.title += ", " + std::string(note);
+    }
+    if (averagings.are_several()) {
+        std::string averaged(id_word(info.averaging));
+        std::ranges::replace(averaged, '_', ' ');
+        if (!averaged.empty()) result.title += ", " + averaged;
     }
     result.source = info.solver_name;
     result.components = piece.components;
@@ -92,6 +131,7 @@ SceneResult scene_result(const ResultInfo& info, const Piece& piece, std::string
     result.complex = info.complex;
     result.layer = info.layer;
     result.shear = piece.shape == Shape::SymmetricTensor ? info.shear : Shear::NotApplicable;
+    result.system = info.system;
     result.derived = piece.derived;
     return result;
 }
@@ -99,7 +139,8 @@ SceneResult scene_result(const ResultInfo& info, const Piece& piece, std::string
 bool is_same_kind(const SceneResult& a, const SceneResult& b) {
     return a.quantity == b.quantity && a.components == b.components && a.shape == b.shape &&
            a.unit == b.unit && a.location == b.location && a.averaging == b.averaging &&
-           a.complex == b.complex && a.layer == b.layer && a.shear == b.shear && a.derived == b.derived;
+           a.complex == b.complex && a.layer == b.layer && a.shear == b.shear && a.system == b.system &&
+           a.derived == b.derived;
 }
 
 /// Steps of the model gathered to steps of the scene.
@@ -110,12 +151,15 @@ struct StepGroups {
 };
 
 StepGroups group_steps(
-    const ModelSource& source, std::span<const std::size_t> steps, std::span<const std::size_t> results
+    const ModelSource& source,
+    std::span<const std::size_t> steps,
+    std::span<const std::size_t> results,
+    const Averagings& averagings
 ) {
     std::map<std::size_t, std::set<std::string>> names;  // by step of the model
     for (const std::size_t i : results) {
         const ResultInfo& info = source.results()[i];
-        names[info.step].insert(id_of(info, {}));
+        names[info.step].insert(id_of(info, {}, averagings));
     }
     StepGroups groups;
     const auto may_join = [&](std::size_t step, std::size_t group) {
@@ -145,18 +189,23 @@ StepGroups group_steps(
 
 /// The planned result of that kind with nothing at that step yet; made when there is none.
 PlannedResult& place_for(
-    ScenePlan& plan, const ResultInfo& info, const Piece& piece, std::size_t step, std::set<std::string>& ids
+    ScenePlan& plan,
+    const ResultInfo& info,
+    const Piece& piece,
+    std::size_t step,
+    std::set<std::string>& ids,
+    const Averagings& averagings
 ) {
-    const SceneResult wanted = scene_result(info, piece, "");
+    const SceneResult wanted = scene_result(info, piece, "", averagings);
     for (PlannedResult& planned : plan.results) {
         const bool taken =
             std::ranges::any_of(planned.values, [&](const PlannedValues& v) { return v.step == step; });
         if (!taken && is_same_kind(planned.scene, wanted)) return planned;
     }
-    const std::string id = id_of(info, piece);
+    const std::string id = id_of(info, piece, averagings);
     std::string unique = id;
     for (int n = 2; !ids.insert(unique).second; ++n) unique = fmt::format("{}_{}", id, n);
-    plan.results.push_back({scene_result(info, piece, unique), piece.components, {}});
+    plan.results.push_back({scene_result(info, piece, unique, averagings), piece.components, {}});
     return plan.results.back();
 }
 
@@ -168,7 +217,13 @@ std::string title_of(std::string_view quantity, std::string_view component) {
         {"tresca", "Tresca {}"},
         {"principal_1", "Largest principal {}"},
         {"principal_2", "Middle principal {}"},
-        {"principal_3", "Smallest principal {}"}};
+        {"principal_3", "Smallest principal {}"},
+        {"radial", "Radial {}"},
+        {"hoop", "Hoop {}"},
+        {"axial", "Axial {}"},
+        {"radial_hoop", "Radial-hoop {}"},
+        {"hoop_axial", "Hoop-axial {}"},
+        {"axial_radial", "Axial-radial {}"}};
     std::string name(quantity);
     std::ranges::replace(name, '_', ' ');
     const auto invariant = invariants.find(component);
@@ -182,23 +237,21 @@ std::string title_of(std::string_view quantity, std::string_view component) {
 }
 
 ScenePlan plan_scene(
-    const ModelSource& source,
-    std::span<const std::size_t> steps,
-    std::span<const std::size_t> results,
-    Averaging averaging
+    const ModelSource& source, std::span<const std::size_t> steps, std::span<const std::size_t> results
 ) {
     ScenePlan plan;
-    StepGroups groups = group_steps(source, steps, results);
+    const Averagings averagings(source, results);
+    StepGroups groups = group_steps(source, steps, results, averagings);
     plan.steps = std::move(groups.steps);
     std::set<std::string> ids;
     for (const std::size_t i : results) {
-        const ResultInfo info = prepared_info(source.results()[i], averaging);
+        const ResultInfo& info = source.results()[i];
         const std::size_t step = groups.group_of.at(info.step);
         const bool by_element =
             info.location == Location::Elemental || info.location == Location::ElementNodal;
         if (by_element) plan.domain = Domain::ElementNode;
         for (const Piece& piece : pieces_of(info)) {
-            PlannedResult& planned = place_for(plan, info, piece, step, ids);
+            PlannedResult& planned = place_for(plan, info, piece, step, ids, averagings);
             planned.values.push_back({i, step});
         }
     }

@@ -31,12 +31,10 @@ struct ScenePlan {
 };
 
 /// Steps of different inputs with equal step, substep, kind and value become one step of the scene when no
-/// result is in both: a thermal and a static analysis of one state are shown together.
+/// result is in both: a thermal and a static analysis of one state are shown together. Results are taken as
+/// they are listed: a PreparedSource lists them as averaged.
 ScenePlan plan_scene(
-    const ModelSource& source,
-    std::span<const std::size_t> steps,
-    std::span<const std::size_t> results,
-    Averaging averaging
+    const ModelSource& source, std::span<const std::size_t> steps, std::span<const std::size_t> results
 );
 
 /// "von Mises stress", "Temperature", "Displacement magnitude": for people.

@@ -15,7 +15,8 @@ struct SceneTarget {
     std::size_t component = 0;
 };
 
-/// Plain results are preferred to parts of complex ones and to layers; the first one on a tie.
+/// The layer that is wanted, if one is. Plain results are preferred to parts of complex ones and to layers,
+/// and the averaging that is said; the first one on a tie.
 std::optional<SceneTarget> find_presented(
     const std::vector<const SceneResult*>& results, const PresentedResult& wanted
 );

@@ -42,10 +42,8 @@ Result pick_components(const Result& result, const std::vector<std::string>& com
 
 }  // namespace
 
-SceneValueStore::SceneValueStore(
-    ModelSource& source, const Surface& surface, const ScenePlan& plan, Averaging averaging
-)
-    : source_(source), surface_(surface), plan_(plan), averaging_(averaging),
+SceneValueStore::SceneValueStore(ModelSource& source, const Surface& surface, const ScenePlan& plan)
+    : source_(source), surface_(surface), plan_(plan),
       byte_limit_(std::max(kLeastLimit, bytes_of(surface) / 2)) {}
 
 Result SceneValueStore::made_of(const Result& result, const PlannedResult& planned) const {
@@ -70,7 +68,7 @@ void SceneValueStore::read_all(const Progress& progress) {
     std::size_t done = 0;
     for (const auto& [index, keys] : users) {
         report_progress(progress, "results", fraction_of(done++, users.size()));
-        const Result result = load_prepared(source_, index, averaging_);
+        const Result result = source_.load(index);
         std::uint64_t filled = 0;  // The same vertices in each of its components.
         for (const Key& key : keys) {
             const PlannedResult& planned = plan_.results[key.first];
@@ -97,7 +95,7 @@ SurfaceField SceneValueStore::field(std::size_t result, std::size_t values) {
     const auto kept = fields_.find({result, values});
     if (kept != fields_.end()) return kept->second;
     const PlannedResult& planned = plan_.results.at(result);
-    const Result all = load_prepared(source_, planned.values.at(values).source_result, averaging_);
+    const Result all = source_.load(planned.values.at(values).source_result);
     if (planned.components == all.info.components) return carry(source_.mesh(), surface_, all);
     return carry(source_.mesh(), surface_, made_of(all, planned));
 }

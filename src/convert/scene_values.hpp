@@ -17,7 +17,7 @@ namespace feelem {
 class SceneValueStore {
 public:
     /// All must outlive the store.
-    SceneValueStore(ModelSource& source, const Surface& surface, const ScenePlan& plan, Averaging averaging);
+    SceneValueStore(ModelSource& source, const Surface& surface, const ScenePlan& plan);
 
     /// Reads every result once: extremes over the whole model, and fields as memory allows.
     void read_all(const Progress& progress);
@@ -39,7 +39,6 @@ private:
     ModelSource& source_;
     const Surface& surface_;
     const ScenePlan& plan_;
-    Averaging averaging_;
     std::map<Key, std::vector<ComponentRange>> ranges_;
     std::map<Key, SurfaceField> fields_;
     std::size_t kept_bytes_ = 0;

@@ -124,13 +124,16 @@ std::string known_steps(std::span<const Step> steps) {
     return steps.size() > kMostListed ? text + ", ..." : text;
 }
 
+/// "stress", "stress@static.frd", "stress@top", "stress@top@static.rst".
 bool is_called(const ModelSource& source, const ResultInfo& info, std::string_view name) {
-    const std::size_t at = name.find('@');
-    if (name.substr(0, at) != info.name) return false;
-    if (at == std::string_view::npos) return true;
+    const std::vector<std::string_view> words = split(name, '@');
+    if (words.front() != info.name) return false;
     const std::uint32_t input = source.steps()[info.step].input;
     const auto inputs = source.inputs();
-    return input < inputs.size() && file_name(inputs[input].path) == file_name(name.substr(at + 1));
+    return std::all_of(words.begin() + 1, words.end(), [&](std::string_view of) {
+        const bool is_file = input < inputs.size() && file_name(inputs[input].path) == file_name(of);
+        return is_file || (!of.empty() && word(info.layer) == of);
+    });
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ PresentedResult read_result(const Node& node) {
     result.component = node["component"].text(result.component);
     result.location = node["location"].text(result.location);
     result.averaging = node["averaging"].text({});
+    result.layer = node["layer"].text({});
     result.unit = node["unit"].text({});
 
     const Node range = node["range"];
@@ -279,6 +280,9 @@ void write_result(Json& object, const PresentedResult& now, const PresentedResul
         );
     if (!now.averaging.empty() || before != nullptr) {
         change.put("averaging", [](const R& r) { return Json(r.averaging); });
+    }
+    if (!now.layer.empty() || (before != nullptr && !before->layer.empty())) {
+        change.put("layer", [](const R& r) { return Json(r.layer); });
     }
     if (now.range_mode == "percentile" || before != nullptr) {
         change.put(

@@ -121,6 +121,7 @@ void write_result(JsonText& json, const SceneBuild& build, std::size_t index) {
     else
         json.value(word(result.complex));
     json.key("layer").text_or_null(word(result.layer)).key("shear").text_or_null(word(result.shear));
+    json.key("system").text_or_null(result.system);
     json.member("derived", result.derived).key("values").begin_array();
     for (std::size_t v = 0; v < result.values.size(); ++v)
         write_values(json, result, result.values[v], build.written[index][v]);

@@ -266,6 +266,7 @@ SceneResult read_result(const json& entry) {
         from_word(text(entry, "layer"), std::array{Layer::No, Layer::Top, Layer::Middle, Layer::Bottom});
     result.shear =
         from_word(text(entry, "shear"), std::array{Shear::NotApplicable, Shear::Engineering, Shear::Tensor});
+    if (entry.contains("system")) result.system = text(entry, "system");
     result.derived = entry.contains("derived") && entry["derived"] == true;
     return result;
 }

@@ -109,7 +109,7 @@ TEST(AveragePart, keeps_a_value_for_each_material_at_a_shared_node) {
 
 TEST(AverageAll, mixes_materials_to_one_value) {
     Job job = two_bricks("average_all");
-    job.average = Averaging::All;
+    job.averages = {Averaging::All};
 
     const Scene scene = converted(job);
 
@@ -122,7 +122,7 @@ TEST(AverageAll, mixes_materials_to_one_value) {
 
 TEST(AverageNone, gives_each_element_its_own_vertices_and_names_it_in_ranges) {
     Job job = two_bricks("average_none");
-    job.average = Averaging::None;
+    job.averages = {Averaging::None};
 
     const Scene scene = converted(job);
 
@@ -133,6 +133,31 @@ TEST(AverageNone, gives_each_element_its_own_vertices_and_names_it_in_ranges) {
     EXPECT_EQ(range.max_id, 2);
     EXPECT_EQ(range.max_element, 2);
     EXPECT_EQ(range.min_element, 1);
+}
+
+TEST(AverageSeveral, are_results_of_their_own_and_every_claim_of_the_scene_holds) {
+    Job job = two_bricks("average_several");
+    job.averages = {Averaging::Part, Averaging::All, Averaging::None};
+
+    const Scene scene = converted(job);
+
+    Diagnostics diagnostics;
+    for (const Claim& claim : check_against_inputs(job.output, job, diagnostics, {}))
+        EXPECT_TRUE(claim.holds) << claim.name << ": " << claim.found;
+    std::map<std::string, Averaging> found;
+    for (const SceneResult& result : scene.results) {
+        if (result.components.front() == "xx") found[result.id] = result.averaging;
+    }
+    const std::map<std::string, Averaging> expected{
+        {"stress", Averaging::Part},
+        {"stress_across_parts", Averaging::All},
+        {"stress_unaveraged", Averaging::None}};
+    EXPECT_EQ(found, expected);
+    for (const SceneResult& result : scene.results) {
+        if (result.id == "stress_von_mises_unaveraged") {
+            EXPECT_EQ(result.title, "von Mises stress, unaveraged");
+        }
+    }
 }
 
 TEST(Probe, node_of_two_parts_has_the_values_of_both) {

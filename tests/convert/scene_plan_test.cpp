@@ -19,7 +19,7 @@ ScenePlan plan_of(const MadeUpSource& source) {
     std::vector<std::size_t> steps(source.made_steps.size()), results(source.made_results.size());
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = i;
     for (std::size_t i = 0; i < results.size(); ++i) results[i] = i;
-    return plan_scene(source, steps, results, Averaging::Part);
+    return plan_scene(source, steps, results);
 }
 
 std::vector<std::string> ids_of(const ScenePlan& plan) {
