@@ -97,12 +97,11 @@ private:
         Mesh mesh = build_mesh(deck, model, diagnostics_);
         const std::string& name = deck.files.front().name();
         if (mesh.node_count() == 0) throw_no_nodes(name);
-        if (mesh_ == nullptr && context.mesh == nullptr) {
+        if (mesh_ == nullptr) {
             own_ = std::move(mesh);
-            mesh_ = &own_;
+            mesh_ = own_or_shared(own_, context.mesh);
             return;
         }
-        if (mesh_ == nullptr) mesh_ = context.mesh;
         check_same_mesh(*mesh_, mesh, name);
     }
 
