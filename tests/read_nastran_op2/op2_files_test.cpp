@@ -78,6 +78,40 @@ TEST(Op2, grids_in_double_precision_keep_all_digits) {
     EXPECT_THAT(model->mesh().coordinates[0], ElementsAre(0.1, 1e-30, 123456.789012345));
 }
 
+TEST(Op2, grids_in_cylindrical_systems_stand_at_their_basic_places) {
+    Op2Writer writer;
+    writer.begin_table("GEOM1");
+    writer.record(
+        {whole(2001),
+         whole(20),
+         whole(9),
+         whole(5),
+         whole(2),
+         whole(2),
+         whole(0),
+         1.,
+         0.,
+         0.,
+         1.,
+         0.,
+         1.,
+         2.,
+         0.,
+         0.}
+    );
+    writer.record(
+        {whole(4501), whole(45), whole(1), whole(8), whole(5), 2., 90., 3., whole(0), whole(0), whole(0)}
+    );
+    writer.end_table();
+    Diagnostics diagnostics;
+    const auto model = open(writer.finish(), diagnostics);
+    // Two from the axis through (1, 0, 0), at 90 degrees: along y.
+    const Point3& place = model->mesh().coordinates[0];
+    EXPECT_NEAR(place[0], 1, 1e-12);
+    EXPECT_NEAR(place[1], 2, 1e-12);
+    EXPECT_NEAR(place[2], 3, 1e-12);
+}
+
 TEST(Op2, without_geometry_the_nodes_of_the_results_have_no_place) {
     Op2Writer writer;
     writer.begin_table("OUGV1");
