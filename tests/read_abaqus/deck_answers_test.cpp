@@ -63,6 +63,15 @@ TEST(DeckAnswers, decks_of_boilers_have_the_mesh_of_their_results) {
     }
 }
 
+TEST(DeckAnswers, decks_of_one_folder_and_their_results_are_one_model) {
+    const auto corpus = test::corpus_file("boiler/hex_linear");
+    if (!corpus) GTEST_SKIP() << "the corpus is not here";
+    const auto opened = open_files({*corpus});
+    EXPECT_EQ(opened->mesh().element_count(), 1272U);
+    EXPECT_EQ(opened->model->steps().size(), 10U) << "heat, static and eight of transient";
+    EXPECT_FALSE(opened->diagnostics.has(Code::DuplicateNode));
+}
+
 TEST(DeckAnswers, converted_boilers_have_the_true_facets) {
     const auto folder = test::corpus_file("converted");
     if (!folder) GTEST_SKIP() << "the corpus is not here";
