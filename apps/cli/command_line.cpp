@@ -79,6 +79,7 @@ void add_reading_options(CLI::App& app, Job& job) {
     )
         ->option_text(" ");
     app.add_option("--from", job.read.from, "FORMAT: force a reader")->option_text(" ");
+    app.add_flag("--expand-cyclic", job.read.expand_cyclic, "Show all sectors of a cyclic Ansys model");
 }
 
 void add_model_options(CLI::App& app, Job& job, Texts& texts) {

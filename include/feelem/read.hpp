@@ -15,8 +15,9 @@
 namespace feelem {
 
 struct ReadOptions {
-    std::string from;   ///< Force a reader by id; empty: by content.
-    std::string types;  ///< "1=SOLID92,2=SHELL63" or the path of an ETLIST listing.
+    std::string from;            ///< Force a reader by id; empty: by content.
+    std::string types;           ///< "1=SOLID92,2=SHELL63" or the path of an ETLIST listing.
+    bool expand_cyclic = false;  ///< Show all sectors of a cyclic model, where the file says how.
 };
 
 /// A kind of file that can be read, for `feelem formats` and the docs.

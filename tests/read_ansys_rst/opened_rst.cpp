@@ -3,8 +3,6 @@
 
 #include "support/paths.hpp"
 
-#include "feelem/read.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -32,8 +30,11 @@ OpenedRst open_bytes(const std::string& bytes) {
     return opened;
 }
 
-OpenedRst open_written(const WrittenModel& model) {
-    return open_bytes(write_rst(model));
+OpenedRst open_written(const WrittenModel& model, const ReadOptions& options) {
+    OpenedRst opened;
+    std::vector<NamedBytes> files{{"made.rst", write_rst(model)}};
+    opened.model = open_model(std::move(files), options, *opened.diagnostics);
+    return opened;
 }
 
 OpenedRst open_written(const std::vector<WrittenModel>& models) {
@@ -45,13 +46,13 @@ OpenedRst open_written(const std::vector<WrittenModel>& models) {
     return opened;
 }
 
-OpenedRst open_corpus(const std::vector<std::string>& paths) {
+OpenedRst open_corpus(const std::vector<std::string>& paths, const ReadOptions& options) {
     OpenedRst opened;
     std::vector<std::string> found;
     for (const std::string& path : paths) {
         if (const auto file = corpus_file("ansys/" + path)) found.push_back(*file);
     }
-    if (found.size() == paths.size()) opened.model = open_model(found, {}, *opened.diagnostics);
+    if (found.size() == paths.size()) opened.model = open_model(found, options, *opened.diagnostics);
     return opened;
 }
 

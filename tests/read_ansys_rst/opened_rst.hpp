@@ -6,6 +6,7 @@
 
 #include "feelem/diagnostics.hpp"
 #include "feelem/model.hpp"
+#include "feelem/read.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -20,11 +21,11 @@ struct OpenedRst {
     std::unique_ptr<ModelSource> model;
 };
 OpenedRst open_bytes(const std::string& bytes);
-OpenedRst open_written(const WrittenModel& model);
+OpenedRst open_written(const WrittenModel& model, const ReadOptions& options = {});
 /// As files of one model.
 OpenedRst open_written(const std::vector<WrittenModel>& models);
 /// By path from the corpus; without a model when it is not there.
-OpenedRst open_corpus(const std::vector<std::string>& paths);
+OpenedRst open_corpus(const std::vector<std::string>& paths, const ReadOptions& options = {});
 
 /// Of the first result of that name, at a step (from 0), part and layer.
 struct Wanted {

@@ -4,6 +4,7 @@
 #include "support/exercise.hpp"
 
 #include "feelem/error.hpp"
+#include "feelem/read.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,10 +36,41 @@ std::string full_file() {
     return test::write_rst(model);
 }
 
+/// A quarter of a ring, with a pair of modes.
+std::string cyclic_file() {
+    WrittenModel model;
+    model.types = {{185, 8, 0, 0}};
+    const double section[4][2] = {{1, 0}, {2, 0}, {2, 1}, {1, 1}};
+    for (int i = 0; i < 8; ++i) {
+        const double radius = section[i % 4][0];
+        model.nodes.push_back({i + 1.0, i < 4 ? radius : 0, i < 4 ? 0 : radius, section[i % 4][1], 0, 0, 0});
+        model.storage.push_back(i + 1);
+    }
+    model.elements = {{1, 1, 1, {1, 2, 6, 5, 4, 3, 7, 8}}};
+    model.sectors = 4;
+    model.has_axis = true;
+    model.sector_nodes = 8;
+    model.sector_elements = 1;
+    model.analysis = 2;
+    model.harmonics = {1, -1};
+    for (int mode = 0; mode < 2; ++mode) {
+        test::WrittenSet set;
+        set.substep = mode + 1;
+        for (int node = 0; node < 8; ++node)
+            set.solution.insert(set.solution.end(), {mode == 0 ? 1.0 : 0.0, mode == 0 ? 0.0 : 1.0, 0});
+        set.element_records.push_back({0, 3, std::vector<double>(48, 2.0), 0});
+        model.sets.push_back(set);
+    }
+    return test::write_rst(model);
+}
+
 /// Empty when all is well.
-std::string survive(const std::string& bytes) {
+std::string survive(const std::string& bytes, bool expand = false) {
     try {
-        const auto opened = test::open_bytes(bytes);
+        ReadOptions options;
+        options.expand_cyclic = expand;
+        test::OpenedRst opened;
+        opened.model = open_model(std::vector<NamedBytes>{{"made.rst", bytes}}, options, *opened.diagnostics);
         return test::exercise(*opened.model);
     } catch (const Error& error) {
         return std::string(error.what()).size() < 10 ? "an error without words" : "";
@@ -57,6 +89,18 @@ TEST(RstHostile, every_word_may_be_anything) {
             std::string bytes = good;
             std::memcpy(bytes.data() + at, &value, sizeof value);
             ASSERT_EQ(survive(bytes), "") << "word " << at / 4 << " = " << value;
+        }
+    }
+}
+
+TEST(RstHostile, every_word_of_a_cyclic_model_may_be_anything) {
+    const std::string good = cyclic_file();
+    ASSERT_EQ(survive(good, true), "");
+    for (std::size_t at = 0; at + 4 <= good.size(); at += 4) {
+        for (const std::int32_t value : {-1, 0, 1, 2147483647, -2147483647 - 1}) {
+            std::string bytes = good;
+            std::memcpy(bytes.data() + at, &value, sizeof value);
+            ASSERT_EQ(survive(bytes, true), "") << "word " << at / 4 << " = " << value;
         }
     }
 }

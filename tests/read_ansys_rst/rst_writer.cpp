@@ -46,6 +46,7 @@ public:
             steps[3 * i + 1] = model_.sets[i].substep;
             steps[3 * i + 2] = static_cast<std::int32_t>(i) + 1;
         }
+        if (!model_.harmonics.empty()) set_pointer(head_, 17, 44, file_.add(model_.harmonics));
         set_pointer(head_, 12, 42, file_.add(times));
         set_pointer(head_, 13, 43, file_.add(steps));
         write_geometry();
@@ -77,7 +78,10 @@ private:
         head[7] = model_.analysis;
         head[8] = static_cast<std::int32_t>(model_.sets.size());
         head[19] = model_.units;
+        head[18] = model_.sector_elements;
         head[20] = model_.sectors;
+        head[21] = model_.has_axis ? 12 : 0;
+        head[31] = model_.sector_nodes;
         head[32] = model_.is_complex ? 1 : 0;
         head[39] = model_.has_principal ? 0 : 1;
         head[48] = model_.nodes_of_all > 0 ? model_.nodes_of_all : head[2];
@@ -102,6 +106,15 @@ private:
             type[9] = model_.types[i].keyopt8;
             type[93] = model_.types[i].corners;
             file_.set_item(types, i + 1, static_cast<std::int32_t>(file_.add(type) - types));
+        }
+        if (model_.has_axis) {
+            const std::size_t systems = file_.add(Words(1));
+            set_pointer(at, 25, 26, systems);
+            std::vector<double> system(24);
+            system[0] = system[4] = system[8] = 1;
+            system[20] = 1;
+            system[21] = 12;
+            file_.set_item(systems, 1, static_cast<std::int32_t>(file_.add(system) - systems));
         }
         set_pointer(at, 27, 28, file_.words());
         for (const auto& node : model_.nodes) file_.add(std::vector<double>(node.begin(), node.end()));

@@ -93,6 +93,9 @@ struct WrittenModel {
     std::int32_t nodes_of_all = 0;  ///< 0: those of this file.
     std::int32_t time = 120000;     ///< Of day, when it was written.
     bool is_complex = false, has_principal = false;
+    bool has_axis = false;  ///< Cylindrical system 12, round z.
+    std::int32_t sector_nodes = 0, sector_elements = 0;
+    std::vector<std::int32_t> harmonics;  ///< Of each set.
     std::string title = "SYNTHETIC";
 };
 std::string write_rst(const WrittenModel& model);

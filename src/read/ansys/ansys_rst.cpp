@@ -2,6 +2,7 @@
 // Which files are result files, and which of them are parts of one distributed run.
 #include "read/ansys/ansys_rst.hpp"
 
+#include "read/ansys/rst_cyclic.hpp"
 #include "read/ansys/rst_domains.hpp"
 #include "read/ansys/rst_source.hpp"
 #include "read/merged_model.hpp"
@@ -54,12 +55,12 @@ bool of_one_run(const ResultHeader& a, const ResultHeader& b) {
 }
 
 void note_sectors(const Opened& opened, Diagnostics& diagnostics) {
-    if (opened.header().sectors <= 1) return;
     diagnostics.add(
         Code::ResultForPartOfModel,
         opened.name(),
         fmt::format(
-            "the model is one of {} equal sectors round an axis; only the sector in the file is shown",
+            "the model is one of {} equal sectors round an axis; only the sector in the file is shown "
+            "(--expand-cyclic shows all)",
             opened.header().sectors
         )
     );
@@ -67,8 +68,8 @@ void note_sectors(const Opened& opened, Diagnostics& diagnostics) {
 
 class Opener {
 public:
-    Opener(std::span<const Input> inputs, Diagnostics& diagnostics)
-        : inputs_(inputs), diagnostics_(diagnostics) {
+    Opener(std::span<const Input> inputs, const ReadOptions& options, Diagnostics& diagnostics)
+        : inputs_(inputs), options_(options), diagnostics_(diagnostics) {
         for (std::uint32_t i = 0; i < inputs.size(); ++i)
             opened_.push_back({std::make_unique<RstSource>(inputs[i], diagnostics), i});
     }
@@ -79,8 +80,7 @@ public:
             if (opened.is_domain()) {
                 add_run(opened);
             } else {
-                note_sectors(opened, diagnostics_);
-                sources_.push_back({std::move(opened.source), {opened.input}});
+                sources_.push_back({with_sectors(opened), {opened.input}});
             }
         }
         if (sources_.size() == 1) return std::move(sources_.front().source);
@@ -90,6 +90,13 @@ public:
     }
 
 private:
+    std::unique_ptr<ModelSource> with_sectors(Opened& opened) {
+        if (opened.header().sectors <= 1) return std::move(opened.source);
+        if (options_.expand_cyclic) return expand_sectors(std::move(opened.source), diagnostics_);
+        note_sectors(opened, diagnostics_);
+        return std::move(opened.source);
+    }
+
     /// All files of the run that this one belongs to, as one source.
     void add_run(const Opened& first) {
         const ResultHeader header = first.header();
@@ -149,15 +156,16 @@ private:
     }
 
     std::span<const Input> inputs_;
+    const ReadOptions& options_;
     Diagnostics& diagnostics_;
     std::vector<Opened> opened_;
     std::vector<OpenedSource> sources_;
 };
 
 std::unique_ptr<ModelSource> open_rst(
-    std::span<const Input> inputs, const ReadContext&, Diagnostics& diagnostics
+    std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics
 ) {
-    return Opener(inputs, diagnostics).open();
+    return Opener(inputs, context.options, diagnostics).open();
 }
 
 }  // namespace
