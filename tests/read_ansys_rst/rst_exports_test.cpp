@@ -26,8 +26,8 @@ struct PrintedRow {
 };
 
 /// Rows that begin with a whole number.
-std::vector<PrintedRow> printed_rows(const std::string& path) {
-    std::istringstream text(test::read_file(*test::corpus_file("ansys/" + path)));
+std::vector<PrintedRow> printed_rows_of(const std::string& path) {
+    std::istringstream text(test::read_file(path));
     std::vector<PrintedRow> rows;
     for (std::string line; std::getline(text, line);) {
         std::istringstream fields(line);
@@ -38,6 +38,10 @@ std::vector<PrintedRow> printed_rows(const std::string& path) {
     }
     EXPECT_GT(rows.size(), 0u) << path;
     return rows;
+}
+
+std::vector<PrintedRow> printed_rows(const std::string& path) {
+    return printed_rows_of(*test::corpus_file("ansys/" + path));
 }
 
 /// Half of the last of `digits` digits.
@@ -57,6 +61,23 @@ std::map<std::int64_t, double> by_node(
         out[raw(mesh.node_ids[raw(values.row_node[row])])] = static_cast<double>(values.values[row]);
     }
     return out;
+}
+
+// The shipped file: without the corpus, too.
+TEST(RstShipped, stresses_of_a_body_equal_mechanicals_to_the_last_printed_digit) {
+    const std::string folder = test::project_file("tests/data/ansys/two_cubes/");
+    const OpenedRst opened = test::open_bytes(test::read_file(folder + "file.rst"));
+    EXPECT_EQ(opened.model->mesh().node_count(), 45u);
+    const Result stress = average(opened.model->mesh(), load_wanted(opened, {"stress"}), Averaging::Part);
+    const auto ours = by_node(opened, stress, "material 1", "xx");
+    const auto rows = printed_rows_of(folder + "stress_mat_1.txt");
+    EXPECT_EQ(rows.size(), ours.size());
+    for (const PrintedRow& row : rows) {
+        const double printed = row.numbers.back();
+        EXPECT_NEAR(ours.at(row.id), printed, print_precision(printed, 5) + 2e-6) << row.id;
+    }
+    const Result u = load_wanted(opened, {"displacement"});
+    EXPECT_FLOAT_EQ(test::value_at(opened, u, 44, "x"), 0.004870886F);
 }
 
 class RstExports : public testing::Test {

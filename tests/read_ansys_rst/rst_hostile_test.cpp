@@ -2,12 +2,14 @@
 // Counts and pointers of a SYNTHETIC result file turned into anything: a model or an Error, nothing else.
 #include "read_ansys_rst/opened_rst.hpp"
 #include "support/exercise.hpp"
+#include "support/paths.hpp"
 
 #include "feelem/error.hpp"
 #include "feelem/read.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -80,6 +82,25 @@ std::string survive(const std::string& bytes, bool expand = false) {
 TEST(RstHostile, whole_file_is_sound) {
     EXPECT_EQ(survive(full_file()), "");
     EXPECT_NO_THROW(test::open_bytes(full_file()));
+}
+
+// The fuzzer starts from it, and the test Hostile damages it.
+TEST(RstHostile, shipped_file_is_what_the_writer_writes) {
+    const std::string path = test::project_file("tests/data/ansys/bricks.rst");
+    if (std::getenv("FEELEM_UPDATE_GOLDEN") != nullptr) test::write_file(path, full_file());
+    EXPECT_EQ(test::read_file(path), full_file()) << "FEELEM_UPDATE_GOLDEN=1 writes it again";
+}
+
+TEST(RstHostile, sets_that_the_file_cannot_hold_are_not_believed) {
+    std::string bytes = full_file();
+    const std::int32_t many = 10;  // As many as the table holds.
+    std::memcpy(bytes.data() + 4 * (103 + 2 + 8), &many, sizeof many);
+    EXPECT_NO_THROW(test::open_bytes(bytes));
+    // The same in a table of a million entries that takes six words.
+    const std::int32_t more = 1'000'000;
+    std::memcpy(bytes.data() + 4 * (103 + 2 + 8), &more, sizeof more);
+    std::memcpy(bytes.data() + 4 * (103 + 2 + 3), &more, sizeof more);
+    EXPECT_THROW(test::open_bytes(bytes), Error);
 }
 
 TEST(RstHostile, every_word_may_be_anything) {

@@ -122,11 +122,18 @@ ResultHeader read_header(const Records& records) {
     header.node_ids = pointer(head, 15, 46);
     header.geometry = pointer(head, 16, 47);
     header.cyclic = pointer(head, 17, 44);
-    if (header.sets > header.set_table) {
+    // The heads of a set alone take some 600 words.
+    constexpr std::size_t kLeastWordsOfASet = 128;
+    if (header.sets > header.set_table || header.sets > records.words() / kLeastWordsOfASet) {
         throw Error(
             Code::BadStructure,
             records.where(kResultHeader),
-            fmt::format("{} sets of results in a table of {}", header.sets, header.set_table)
+            fmt::format(
+                "{} sets of results in a table of {}, in a file of {} bytes: it is damaged or cut",
+                header.sets,
+                header.set_table,
+                records.input().size()
+            )
         );
     }
     return header;
