@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kVector{"x", "y", "z"};
 constexpr std::array<std::string_view, 6> kTensor{"xx", "yy", "zz", "xy", "yz", "zx"};
-constexpr std::array<const char*, 6> kNames{
+constexpr std::array<const char*, 6> kCylindricalNames{
     "radial", "hoop", "axial", "radial_hoop", "hoop_axial", "axial_radial"};
 
 bool leads_with(const ResultInfo& info, std::span<const std::string_view> names) {
@@ -97,7 +97,7 @@ bool can_be_cylindrical(const ResultInfo& info) {
 ResultInfo cylindrical_info(const ResultInfo& info) {
     ResultInfo out = info;
     const std::size_t width = info.shape == Shape::Vector ? 3 : 6;
-    out.components.assign(kNames.begin(), kNames.begin() + width);
+    out.components.assign(kCylindricalNames.begin(), kCylindricalNames.begin() + width);
     out.shape = Shape::Other;
     out.nodal_system = false;
     return out;

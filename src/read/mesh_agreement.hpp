@@ -46,8 +46,8 @@ inline constexpr PartIndex kNoPart{static_cast<std::uint32_t>(-1)};
 
 MeshMap map_mesh(const Mesh& other, const Mesh& shown);
 
-/// Enough in common to be one model: more than half of the smaller mesh's nodes, or a solver that made solids of
-/// shells.
+/// Enough in common to be one model: more than half of the smaller mesh's nodes, or a solver that made solids
+/// of shells.
 bool is_one_model(const MeshMap& map, const Mesh& other, const Mesh& shown);
 
 }  // namespace feelem
