@@ -100,10 +100,10 @@ struct Sorted {
 
 /// One note for all of them.
 void tell_left_out(std::span<const Input> unknown, Diagnostics& diagnostics) {
-    constexpr std::size_t kMostNamed = 8;
+    constexpr std::size_t kMostStrangersNamed = 8;
     if (unknown.empty()) return;
     std::vector<std::string> names;
-    for (const Input& input : unknown.first(std::min(unknown.size(), kMostNamed))) {
+    for (const Input& input : unknown.first(std::min(unknown.size(), kMostStrangersNamed))) {
         names.push_back(fs::path(input.name()).filename().string());
     }
     diagnostics.add(

@@ -93,7 +93,7 @@ std::string lower(std::string text) {
 }
 
 /// Fills in what is known of an unknown by itself.
-ResultInfo info_of(std::int32_t code, const Units& units) {
+ResultInfo nodal_info(std::int32_t code, const Units& units) {
     ResultInfo info;
     const auto* found = std::ranges::find(kDofs, code, &Dof::code);
     if (found == kDofs.end()) {
@@ -110,9 +110,9 @@ ResultInfo info_of(std::int32_t code, const Units& units) {
     return info;
 }
 
-class Lister {
+class NodalLister {
 public:
-    Lister(const ResultSets& sets, const ResultHeader& header, const Records& records, bool rotated)
+    NodalLister(const ResultSets& sets, const ResultHeader& header, const Records& records, bool rotated)
         : sets_(sets), records_(records), units_(units_of(header.units)), rotated_(rotated) {}
 
     std::vector<NodalResult> list() {
@@ -155,7 +155,7 @@ private:
         const ResultSet& set = sets_.sets[i];
         const std::size_t first = out_.size();
         for (std::size_t column = 0; column < codes.size(); ++column) {
-            ResultInfo info = info_of(codes[column], units_);
+            ResultInfo info = nodal_info(codes[column], units_);
             rename(info, source.record);
             info.step = set.step;
             info.complex = set.complex;
@@ -219,9 +219,9 @@ private:
 /// 2^100 and beyond: "this node has no such unknown".
 constexpr double kNoValue = 1e30;
 
-class ValueReader {
+class NodalValueReader {
 public:
-    ValueReader(
+    NodalValueReader(
         const Records& records,
         const ResultSet& set,
         const NodalResult& result,
@@ -326,7 +326,7 @@ private:
 std::vector<NodalResult> list_nodal_results(
     const ResultSets& sets, const ResultHeader& header, const Records& records, bool rotated
 ) {
-    return Lister(sets, header, records, rotated).list();
+    return NodalLister(sets, header, records, rotated).list();
 }
 
 NodalValues read_nodal_values(
@@ -336,7 +336,7 @@ NodalValues read_nodal_values(
     const Mesh& mesh,
     std::span<const NodeIndex> row_nodes
 ) {
-    return ValueReader(records, set, result, row_nodes).read(mesh.node_count());
+    return NodalValueReader(records, set, result, row_nodes).read(mesh.node_count());
 }
 
 }  // namespace feelem::rst

@@ -64,10 +64,10 @@ public:
                 "of the same job."
             );
         }
-        Contents contents = list_tables(tables_);
+        dat::Contents contents = list_tables(tables_);
         steps_ = std::move(contents.steps);
         listed_ = std::move(contents.results);
-        for (const Listed& listed : listed_) infos_.push_back(listed.info);
+        for (const dat::Listed& listed : listed_) infos_.push_back(listed.info);
         reported_.resize(listed_.size());
         for (const Table& table : tables_) note(table);
         if (tables_.empty()) {
@@ -84,7 +84,7 @@ public:
     SolverInfo solver() const override { return {"CalculiX", ""}; }
 
     Result load(std::size_t index) override {
-        const Listed& listed = listed_.at(index);
+        const dat::Listed& listed = listed_.at(index);
         const bool elemental = listed.info.location == Location::Elemental;
         if (elemental && elements_ == nullptr) elements_ = std::make_unique<ElementLookup>(*mesh_);
         Rows rows(
@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    void read_rows(const Listed& listed, const Table& table, Rows& rows) {
+    void read_rows(const dat::Listed& listed, const Table& table, Rows& rows) {
         TextLines lines(input_, table.begin, table.end);
         std::vector<double> values(table.columns);
         while (const auto line = lines.next()) {
@@ -176,7 +176,7 @@ private:
         }
     }
 
-    void report(const Listed& listed) {
+    void report(const dat::Listed& listed) {
         const std::string& label = listed.info.solver_name;
         if (lost_ > 0) {
             diagnostics_.add(
@@ -204,7 +204,7 @@ private:
     std::vector<Table> tables_;
     std::unique_ptr<ElementLookup> elements_;
     std::vector<Step> steps_;
-    std::vector<Listed> listed_;
+    std::vector<dat::Listed> listed_;
     std::vector<ResultInfo> infos_;
     std::vector<bool> reported_;
     std::uint64_t lost_ = 0, broken_ = 0;

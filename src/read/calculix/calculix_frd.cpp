@@ -30,10 +30,10 @@ public:
     FrdSource(Input input, const ReadContext& context, Diagnostics& diagnostics)
         : input_(std::move(input)), diagnostics_(diagnostics), layout_(find_blocks(input_, diagnostics)) {
         read_own_mesh(context);
-        Contents contents = list_contents(layout_.results);
+        frd::Contents contents = list_contents(layout_.results);
         steps_ = std::move(contents.steps);
         listed_ = std::move(contents.results);
-        for (const Listed& listed : listed_) infos_.push_back(listed.info);
+        for (const frd::Listed& listed : listed_) infos_.push_back(listed.info);
         reported_.resize(listed_.size());
         note_partial_results();
     }
@@ -46,7 +46,7 @@ public:
     std::string title() const override { return layout_.title; }
 
     Result load(std::size_t index) override {
-        const Listed& listed = listed_.at(index);
+        const frd::Listed& listed = listed_.at(index);
         const ResultBlock& block = layout_.results[listed.block];
         Values values = read_values(input_, block, listed.columns, *mesh_, layout_.swap);
         if (!reported_[index]) report(block, values);
@@ -115,7 +115,7 @@ private:
     Mesh own_mesh_;
     const Mesh* mesh_ = nullptr;
     std::vector<Step> steps_;
-    std::vector<Listed> listed_;
+    std::vector<frd::Listed> listed_;
     std::vector<ResultInfo> infos_;
     std::vector<bool> reported_;
 };

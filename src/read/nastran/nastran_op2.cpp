@@ -194,7 +194,7 @@ private:
     Layout layout_;
     Contents contents_;
     Mesh own_mesh_;
-    std::optional<ElementLookup> lookup_;
+    std::optional<op2::ElementLookup> lookup_;
     const Mesh* mesh_ = nullptr;
     std::vector<ResultInfo> infos_;
     std::vector<bool> reported_;

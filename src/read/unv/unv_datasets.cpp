@@ -15,12 +15,12 @@ bool is_delimiter(std::string_view line) {
 }
 
 /// The number of a dataset; binary ones (58b) say how many bytes follow.
-struct Head {
+struct DatasetHead {
     int number = 0;
     std::uint64_t binary_bytes = 0;
 };
-std::optional<Head> read_head(std::string_view line) {
-    Head head;
+std::optional<DatasetHead> read_head(std::string_view line) {
+    DatasetHead head;
     std::string_view word = take_word(line);
     const bool binary = word.ends_with('b');
     if (binary) word.remove_suffix(1);
