@@ -59,7 +59,7 @@ Op2Words shell_element() {
         words.push_back(whole(node));
         for (const double side : {0.5, -0.5}) {  // The upper fibre first.
             for (const double value : {side, 0., 0., 0., 0., side * 10, side * 20, 40 + side})
-                words.push_back(value);
+                words.emplace_back(value);
         }
     }
     return words;
@@ -126,7 +126,7 @@ TEST(Op2, layers_of_shells_go_by_the_fibres_distance) {
     Op2Words centre{whole(101)};
     for (const double side : {-1., 1.}) {
         for (const double value : {side, 0., 0., 0., 0., side * 3, side * 4, 7 + side})
-            centre.push_back(value);
+            centre.emplace_back(value);
     }
     writer.block({.table_code = 5, .element_type = 74, .row_words = 17, .stress_bits = 1}, centre);
     writer.block(
