@@ -183,7 +183,7 @@ TEST(Check, notices_a_range_over_the_model_that_the_certificate_states_otherwise
 
 /// The sample's scene with one float of an array moved, and what no longer holds besides its digest.
 std::vector<std::string> broken_by_moving(const std::string& array, std::size_t index, float by) {
-    Changed scene(*brick_sample(2, 1, 1), "check_shown");
+    Changed scene(*brick_sample(2, 1, 1), "check_shown_" + std::to_string(index));
     scene.put<float>(array, index, scene.get<float>(array, index) + by);
     return broken_claims(scene.path);
 }

@@ -242,7 +242,10 @@ private:
         const std::size_t width = a.result.component_count();
         for (std::size_t c = 0; c < width; ++c) {
             out[c] = a.rows[row * width + c] * phase.first;
-            if (b != nullptr && phase.second != 0) out[c] -= b->rows[row * width + c] * phase.second;
+            if (b == nullptr || phase.second == 0) continue;
+            // The partner's step of a damaged file may hold fewer components.
+            const std::size_t at = row * width + c;
+            out[c] -= at < b->rows.size() ? b->rows[at] * phase.second : std::nan("");
         }
     }
 
