@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vectors and tensors along r, theta and z of a cylinder: hoop and axial stress of a boiler.
 #include "model/rotation.hpp"
+#include "model/vector.hpp"
 
 #include "feelem/derive.hpp"
 
@@ -24,22 +25,10 @@ bool leads_with(const ResultInfo& info, std::span<const std::string_view> names)
            std::equal(names.begin(), names.end(), info.components.begin());
 }
 
-Point3 minus(const Point3& a, const Point3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double dot(const Point3& a, const Point3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point3 cross(const Point3& a, const Point3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The axis as a unit vector.
 Point3 unit_axis(const CylindricalSystem& system) {
-    const double length = std::sqrt(dot(system.axis, system.axis));
-    return {system.axis[0] / length, system.axis[1] / length, system.axis[2] / length};
+    const double size = length(system.axis);
+    return {system.axis[0] / size, system.axis[1] / size, system.axis[2] / size};
 }
 
 /// Rows r, theta, z at a place. On the axis r and theta are NaN: there they have no direction.

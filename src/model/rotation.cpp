@@ -5,24 +5,21 @@
 #include <numbers>
 
 namespace feelem {
-namespace {
-
-/// Exact at multiples of 90 degrees.
-void sine_and_cosine(double degrees, double& sine, double& cosine) noexcept {
+std::array<double, 2> sine_and_cosine(double degrees) noexcept {
     const double turned = std::remainder(degrees, 360.0);
     const double quarters = turned / 90;
     if (quarters == std::trunc(quarters)) {
         constexpr double kSines[]{0, -1, 0, 1, 0};
         const auto i = static_cast<int>(quarters) + 2;  // -2..2 quarters
-        sine = kSines[i];
-        cosine = i == 2 ? 1 : (i == 0 || i == 4 ? -1 : 0);
-        return;
+        return {kSines[i], i == 2 ? 1.0 : (i == 0 || i == 4 ? -1.0 : 0.0)};
     }
-    sine = std::sin(turned * std::numbers::pi / 180);
-    cosine = std::cos(turned * std::numbers::pi / 180);
+    const double radians = turned * std::numbers::pi / 180;
+    return {std::sin(radians), std::cos(radians)};
 }
 
-}  // namespace
+Matrix3 from_columns(const Point3& x, const Point3& y, const Point3& z) noexcept {
+    return {{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}, {x[2], y[2], z[2]}}};
+}
 
 Matrix3 product(const Matrix3& a, const Matrix3& b) noexcept {
     Matrix3 out{};
@@ -39,13 +36,12 @@ Matrix3 matrix_of(const Tensor6& t) noexcept {
 }
 
 Matrix3 nodal_axes(const NodalAngles& angles) noexcept {
-    double s = 0, c = 1;
-    sine_and_cosine(angles[0], s, c);
-    const Matrix3 about_z{{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
-    sine_and_cosine(angles[1], s, c);
-    const Matrix3 about_x{{{1, 0, 0}, {0, c, -s}, {0, s, c}}};
-    sine_and_cosine(angles[2], s, c);
-    const Matrix3 about_y{{{c, 0, s}, {0, 1, 0}, {-s, 0, c}}};
+    const auto [sz, cz] = sine_and_cosine(angles[0]);
+    const auto [sx, cx] = sine_and_cosine(angles[1]);
+    const auto [sy, cy] = sine_and_cosine(angles[2]);
+    const Matrix3 about_z{{{cz, -sz, 0}, {sz, cz, 0}, {0, 0, 1}}};
+    const Matrix3 about_x{{{1, 0, 0}, {0, cx, -sx}, {0, sx, cx}}};
+    const Matrix3 about_y{{{cy, 0, sy}, {0, 1, 0}, {-sy, 0, cy}}};
     return product(product(about_z, about_x), about_y);
 }
 

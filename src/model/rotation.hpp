@@ -12,6 +12,12 @@ namespace feelem {
 using Tensor6 = std::array<double, 6>;
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
+/// Sine and cosine of an angle in degrees: exact at multiples of 90, which people write.
+std::array<double, 2> sine_and_cosine(double degrees) noexcept;
+
+/// The matrix with these columns.
+Matrix3 from_columns(const Point3& x, const Point3& y, const Point3& z) noexcept;
+
 Matrix3 product(const Matrix3& a, const Matrix3& b) noexcept;
 
 /// The tensor as a symmetric matrix.

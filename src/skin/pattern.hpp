@@ -2,6 +2,7 @@
 // How a facet is cut into triangles: by its points, which are its nodes and what has to be put between them.
 #pragma once
 
+#include "model/vector.hpp"
 #include "skin/outline.hpp"
 
 #include "feelem/mesh.hpp"
@@ -44,15 +45,6 @@ using FacetPlaces = std::array<Point3, kFacetPoints>;
 /// Coordinates of the facet's points; those the pattern does not use stay 0.
 FacetPlaces places_of(const Outline& facet, std::span<const Point3> coordinates) noexcept;
 
-inline Point3 minus(const Point3& a, const Point3& b) noexcept {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline Point3 cross(const Point3& a, const Point3& b) noexcept {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline double dot(const Point3& a, const Point3& b) noexcept {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 /// Normal of a triangle, as long as twice its area.
 inline Point3 area_vector(const Point3& a, const Point3& b, const Point3& c) noexcept {
     return cross(minus(b, a), minus(c, a));

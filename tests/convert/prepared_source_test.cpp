@@ -195,5 +195,33 @@ TEST(Reactions, are_summed_over_all_nodes) {
     EXPECT_THAT(info_json(report, diagnostics), HasSubstr("\"reactions\""));
 }
 
+TEST(Reactions, of_heat_are_one_number) {
+    // The energy of the file, named as CalculiX names the heat that flows in at held temperatures.
+    std::string text = read_file(project_file("tests/data/calculix/static.frd"));
+    for (const std::string name : {" -4  ENER", " -5  ENER"}) {
+        const std::size_t at = text.find(name);
+        ASSERT_NE(at, std::string::npos);
+        text.replace(at, name.size(), name.substr(0, 5) + "RFL ");
+    }
+    Job job;
+    job.inputs = {scratch_folder("heat_reactions") + "/heat.frd"};
+    write_file(job.inputs[0], text);
+    Diagnostics diagnostics;
+
+    const ModelReport report = report_model(job, diagnostics, {}).value();
+
+    ASSERT_EQ(report.reactions.size(), 2U);
+    const ReactionSum& sum = report.reactions[1];
+    EXPECT_EQ(sum.info.name, "reaction_heat_flow");
+    double expected = 0;
+    const auto model = open_model(job.inputs, {}, diagnostics);
+    for (std::size_t i = 0; i < model->results().size(); ++i) {
+        if (model->results()[i].solver_name != "RFL") continue;
+        for (const float value : model->load(i).values) expected += static_cast<double>(value);
+    }
+    EXPECT_EQ(sum.sum, std::vector<double>{expected});
+    EXPECT_GT(expected, 0);
+}
+
 }  // namespace
 }  // namespace feelem::test

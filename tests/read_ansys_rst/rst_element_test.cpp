@@ -2,6 +2,7 @@
 // Element results of small SYNTHETIC files: rows, layers, axes; and shells of real files against their
 // curvature.
 #include "model/rotation.hpp"
+#include "model/vector.hpp"
 #include "read_ansys_rst/opened_rst.hpp"
 #include "support/paths.hpp"
 
@@ -226,16 +227,6 @@ TEST(RstElement, records_shared_by_all_elements_cannot_cost_time) {
     const OpenedRst opened = open_written(one);
     EXPECT_EQ(load_wanted(opened, {"stress"}).row_count(), 8u);
     EXPECT_EQ(opened.diagnostics->count(Code::ResultForPartOfModel), 1u);
-}
-
-Point3 minus(const Point3& a, const Point3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Point3 cross(const Point3& a, const Point3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Point3& a, const Point3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// Stretch of the top against the bottom along a diagonal, as the rotations of its two ends would make it in

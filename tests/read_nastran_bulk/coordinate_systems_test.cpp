@@ -12,7 +12,6 @@
 namespace feelem {
 namespace {
 
-using nastran::Axes3;
 using nastran::CoordinateSystems;
 using nastran::GridPlace;
 using nastran::SystemCard;
@@ -33,7 +32,7 @@ void expect_near(const Point3& found, const Point3& expected) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found[i], expected[i], 1e-14) << "coordinate " << i;
 }
 
-void expect_same_axes(const Axes3& found, const Axes3& expected) {
+void expect_same_axes(const Matrix3& found, const Matrix3& expected) {
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(found[i][j], expected[i][j], 1e-12) << i << " " << j;
     }
@@ -44,7 +43,7 @@ TEST(NodalAngles, of_any_rotation_turn_back_into_it) {
         for (int b = -180; b <= 180; b += 30) {
             for (int c = -180; c <= 180; c += 45) {
                 SCOPED_TRACE(testing::Message() << a << " " << b << " " << c);
-                const Axes3 axes = nodal_axes({a + 0.25, double(b), c - 0.5});
+                const Matrix3 axes = nodal_axes({a + 0.25, double(b), c - 0.5});
                 expect_same_axes(nodal_axes(nodal_angles_of(axes)), axes);
             }
         }

@@ -138,7 +138,7 @@ private:
                 if (!wanted.contains(table->node_ids[i])) continue;
                 const Point3& place = table->places[i];
                 auto axes = axes_at(transform.system, of_instance ? place : placed(scope.placement, place));
-                if (axes && of_instance) axes = times(scope.placement.axes, *axes);
+                if (axes && of_instance) axes = product(scope.placement.axes, *axes);
                 if (axes) angles[table->node_ids[i]] = nodal_angles_of(*axes);
             }
         }

@@ -2,15 +2,14 @@
 // Coordinate systems of decks: where nodes are, where instances stand, in which directions results point.
 #pragma once
 
+#include "model/rotation.hpp"
+
 #include "feelem/mesh.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
 namespace feelem::abaqus {
-
-using Axes = std::array<std::array<double, 3>, 3>;  ///< Rows of a matrix whose columns are the axes.
 
 enum class SystemKind : std::uint8_t {
     Rectangular,
@@ -20,7 +19,7 @@ enum class SystemKind : std::uint8_t {
 
 /// x' = axes x + origin.
 struct Placement {
-    Axes axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    Matrix3 axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     Point3 origin{};
     bool moves = false;
 };
@@ -44,7 +43,6 @@ struct LocalSystem {
     Point3 a{}, b{};
 };
 /// Their axes as columns; empty where they are not defined (on the axis, or points in one line).
-std::optional<Axes> axes_at(const LocalSystem& system, const Point3& point);
-Axes times(const Axes& a, const Axes& b);
+std::optional<Matrix3> axes_at(const LocalSystem& system, const Point3& point);
 
 }  // namespace feelem::abaqus

@@ -6,6 +6,7 @@
 #include "read/ansys/list_types.hpp"
 
 #include "base/number.hpp"
+#include "model/vector.hpp"
 
 #include "feelem/error.hpp"
 
@@ -19,16 +20,6 @@
 
 namespace feelem::ansys {
 namespace {
-
-Point3 minus(const Point3& a, const Point3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Point3& a, const Point3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point3 cross(const Point3& a, const Point3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Mid-side nodes of curved edges are off the middle, but less than this share of the edge; the node above a
 /// brick's corner is at least half an edge away.

@@ -33,6 +33,7 @@ constexpr Known kKnown[]{
     {"FLUX", "heat_flux"},
     {"FORC", "reaction_force"},
     {"PFORC", "reaction_force"},
+    {"RFL", "reaction_heat_flow"},
     {"ELPOT", "electric_potential"},
     {"STRESS", "stress"},
     {"PSTRESS", "stress"},

@@ -6,6 +6,7 @@
 // Data: a frame (origin, axes) in the basic system a card.
 #include "read/nastran/coordinate_systems.hpp"
 
+#include "model/vector.hpp"
 #include "read/nodal_angles.hpp"
 
 #include <fmt/format.h>
@@ -19,56 +20,18 @@
 namespace feelem::nastran {
 namespace {
 
-constexpr Axes3 kBasicAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-constexpr double kRadian = std::numbers::pi / 180;
+constexpr Matrix3 kBasicAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-Point3 minus(const Point3& a, const Point3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Point3& a, const Point3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point3 cross(const Point3& a, const Point3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-/// Of length 1; empty when it is too short beside `scale` to have a direction.
-std::optional<Point3> unit(const Point3& a, double scale) {
-    const double length = std::sqrt(dot(a, a));
-    if (!(length > 1e-12 * scale) || !std::isfinite(length)) return {};
-    return Point3{a[0] / length, a[1] / length, a[2] / length};
-}
-Axes3 from_columns(const Point3& x, const Point3& y, const Point3& z) {
-    return {{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}, {x[2], y[2], z[2]}}};
-}
-Point3 turned(const Axes3& axes, const Point3& p) {
-    Point3 out{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            if (axes[i][j] != 0) out[i] += axes[i][j] * p[j];
-        }
-    }
-    return out;
-}
-Point3 column(const Axes3& axes, std::size_t j) {
+Point3 column(const Matrix3& axes, std::size_t j) {
     return {axes[0][j], axes[1][j], axes[2][j]};
-}
-
-/// Exact at the quarter turns that people write.
-std::pair<double, double> cosine_and_sine(double degrees) {
-    const double turn = std::remainder(degrees, 360.0);
-    if (turn == 0) return {1, 0};
-    if (turn == 90) return {0, 1};
-    if (turn == -90) return {0, -1};
-    if (turn == 180 || turn == -180) return {-1, 0};
-    return {std::cos(turn * kRadian), std::sin(turn * kRadian)};
 }
 
 /// Local coordinates of any kind as local Cartesian ones.
 Point3 cartesian(SystemKind kind, const Point3& q) {
     if (kind == SystemKind::Rectangular) return q;
-    const auto [cosine, sine] = cosine_and_sine(q[1]);
+    const auto [sine, cosine] = sine_and_cosine(q[1]);
     if (kind == SystemKind::Cylindrical) return {q[0] * cosine, q[0] * sine, q[2]};
-    const auto [cosine_round, sine_round] = cosine_and_sine(q[2]);
+    const auto [sine_round, cosine_round] = sine_and_cosine(q[2]);
     return {q[0] * sine * cosine_round, q[0] * sine * sine_round, q[0] * cosine};
 }
 
@@ -100,9 +63,9 @@ std::optional<CoordinateSystems::Frame> CoordinateSystems::frame_of(
 ) {
     const Point3 along = minus(points[1], points[0]);
     const Point3 aside = minus(points[2], points[0]);
-    const auto z = unit(along, 0);
+    const auto z = direction(along, 0);
     if (!z) return {};
-    const auto y = unit(cross(*z, aside), std::sqrt(dot(aside, aside)));
+    const auto y = direction(cross(*z, aside), length(aside));
     if (!y) return {};
     return Frame{kind, points[0], from_columns(cross(*y, *z), *y, *z)};
 }
@@ -194,11 +157,11 @@ Point3 CoordinateSystems::to_basic(std::int64_t id, const Point3& local) const {
         return {kNone, kNone, kNone};
     }
     const Frame& frame = found->second;
-    const Point3 p = turned(frame.axes, cartesian(frame.kind, local));
+    const Point3 p = to_global(frame.axes, cartesian(frame.kind, local));
     return {p[0] + frame.origin[0], p[1] + frame.origin[1], p[2] + frame.origin[2]};
 }
 
-Axes3 CoordinateSystems::axes_at(std::int64_t id, const Point3& basic) const {
+Matrix3 CoordinateSystems::axes_at(std::int64_t id, const Point3& basic) const {
     const auto found = frames_.find(id);
     if (found == frames_.end()) return kBasicAxes;
     const Frame& frame = found->second;
@@ -208,10 +171,10 @@ Axes3 CoordinateSystems::axes_at(std::int64_t id, const Point3& basic) const {
     const double scale = std::sqrt(dot(from, from));
     const double along = dot(from, z);
     const Point3 across{from[0] - along * z[0], from[1] - along * z[1], from[2] - along * z[2]};
-    const Point3 radial = unit(across, 1e3 * scale).value_or(x);
+    const Point3 radial = direction(across, 1e3 * scale).value_or(x);
     const Point3 round = cross(z, radial);
     if (frame.kind == SystemKind::Cylindrical) return from_columns(radial, round, z);
-    const auto outward = unit(from, 0);
+    const auto outward = direction(from, 0);
     if (!outward) return from_columns(z, x, y);
     // r, then along the meridian away from the z axis, then round it.
     return from_columns(*outward, cross(round, *outward), round);

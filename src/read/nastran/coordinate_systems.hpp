@@ -2,6 +2,8 @@
 // Nastran's coordinate systems (CORD1R ... CORD2S): where grids are, and along which axes they move.
 #pragma once
 
+#include "model/rotation.hpp"
+
 #include "feelem/diagnostics.hpp"
 #include "feelem/mesh.hpp"
 
@@ -38,8 +40,6 @@ struct GridPlace {
     Point3 place{};
 };
 
-using Axes3 = std::array<std::array<double, 3>, 3>;  ///< Columns are the unit axes.
-
 /// All systems of a model, resolved down to the basic one (id 0).
 class CoordinateSystems {
 public:
@@ -57,14 +57,14 @@ public:
     Point3 to_basic(std::int64_t id, const Point3& local) const;
     /// Axes of the system at a place (basic): they turn with it in cylindrical and spherical ones. On the
     /// polar axis those of the angle 0. Basic ones when the system is not known.
-    Axes3 axes_at(std::int64_t id, const Point3& basic) const;
+    Matrix3 axes_at(std::int64_t id, const Point3& basic) const;
     NodalAngles angles_at(std::int64_t id, const Point3& basic) const;
 
 private:
     struct Frame {
         SystemKind kind = SystemKind::Rectangular;
         Point3 origin{};
-        Axes3 axes{};
+        Matrix3 axes{};
     };
     struct Trial;
     bool try_one(const SystemCard& card, const FindGrid& find_grid, Trial& trial) const;

@@ -9,8 +9,8 @@ import type { PlaceMark } from "./features/feature";
 import { PIN } from "./probing";
 import { inSight } from "./sight";
 
-/** Labels nearer to the right edge than this, in pixels, stand to the left. */
-const LABEL_ROOM = 190;
+/** Pixels that a label of so many letters needs, at least: its letters are 12 px high. */
+const labelRoom = (letters: number) => 32 + 7.5 * letters;
 
 /** Cuts count from the scene's origin. */
 const NO_ORIGIN = [0, 0, 0];
@@ -74,7 +74,7 @@ export class Overlay {
           detail: mark.detail,
           ...where,
           hidden: !inSight(stage, view, mark.place),
-          flipped: where.x > stage.canvas.clientWidth - LABEL_ROOM,
+          flipped: where.x > stage.canvas.clientWidth - labelRoom(mark.text.length + mark.detail.length),
           click: () => this.#app.pin(mark.place),
         },
       ];

@@ -44,7 +44,7 @@ function row(model: TableModel, shown: Shown, actions: Actions): TemplateResult 
     <th scope="row"><span class="result-name">${shown.label}</span>
       <span class="result-range">${
         shown.result
-          ? `${numberText(shown.range.lo)} … ${numberText(shown.range.hi)} ${unit}`
+          ? html`<span>${numberText(shown.range.lo)} …</span> <span>${numberText(shown.range.hi)} ${unit}</span>`
           : "not in this scene"
       }</span></th>
     ${COLUMNS.map((column) => cell(model, shown, column, actions))}

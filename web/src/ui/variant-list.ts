@@ -29,14 +29,20 @@ export function averagingText(averaging: string): string {
   return AVERAGINGS[averaging] ?? averaging;
 }
 
-/** Where a result's values come from: "node · averaged in parts · top · about 0,0,0 along 0,0,1". */
+const LOCATIONS: Readonly<Record<string, string>> = {
+  node: "at nodes",
+  element: "of elements",
+  "element-node": "at elements' nodes",
+};
+
+/** Where a result's values come from: "at nodes · averaged in parts · top · about 0,0,0 along 0,0,1". */
 export function originText(result: SceneResult | null): string {
   if (!result) return "";
   const turned = result.system?.startsWith("cylindrical:")
     ? result.system.slice("cylindrical:".length).split(",")
     : null;
   return [
-    result.location,
+    LOCATIONS[result.location] ?? result.location,
     result.averaging ? averagingText(result.averaging) : "",
     result.layer ?? "",
     turned ? `about ${turned.slice(0, 3).join(",")} along ${turned.slice(3).join(",")}` : "",

@@ -72,8 +72,8 @@ test("an_added_result_stays_the_one_that_was_added", () => {
 });
 
 test("the_legend_says_where_values_come_from", () => {
-  expect(originText(extras.results[4]!)).toBe("node · averaged in parts · about 0,0,0 along 0,0,1");
-  expect(originText(extras.results[0]!)).toBe("node · averaged in parts · top");
+  expect(originText(extras.results[4]!)).toBe("at nodes · averaged in parts · about 0,0,0 along 0,0,1");
+  expect(originText(extras.results[0]!)).toBe("at nodes · averaged in parts · top");
   expect(originText(null)).toBe("");
   expect(averagingText("none")).toBe("not averaged");
   expect(nextOf(["top", "bottom"], "bottom")).toBe("top");
