@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // read -> derive -> skin -> present -> write.
+#include "base/letter_case.hpp"
 #include "convert/prepared_source.hpp"
 #include "convert/scene_plan.hpp"
 #include "convert/selection.hpp"
@@ -27,8 +28,7 @@ enum class OutputKind {
 };
 
 OutputKind output_kind(const std::string& path) {
-    std::string suffix = std::filesystem::path(path).extension().string();
-    for (char& c : suffix) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const std::string suffix = lower_case(std::filesystem::path(path).extension().string());
     if (suffix == ".glb") return OutputKind::Glb;
     if (suffix == ".gltf") return OutputKind::Gltf;
     if (suffix == ".ply") return OutputKind::Ply;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "convert/scene_plan.hpp"
 
+#include "base/letter_case.hpp"
 #include "convert/model_values.hpp"
 
 #include <fmt/format.h>
@@ -98,11 +99,9 @@ std::string id_of(const ResultInfo& info, const Piece& piece, const Averagings& 
         if (!word.empty()) id += (id.empty() ? "" : "_") + std::string(word);
     }
     for (char& c : id) {
+        c = to_small(c);
         const bool is_plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
-        if (c >= 'A' && c <= 'Z')
-            c = static_cast<char>(c - 'A' + 'a');
-        else if (!is_plain)
-            c = '_';
+        if (!is_plain) c = '_';
     }
     return id.empty() ? "result" : id;
 }
@@ -231,7 +230,7 @@ std::string title_of(std::string_view quantity, std::string_view component) {
                             ? name + (component.empty() ? "" : " " + std::string(component))
                             : fmt::format(fmt::runtime(invariant->second), name);
     if (!title.empty() && component != "von_mises") {
-        title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+        title.front() = to_capital(title.front());
     }
     return title;
 }

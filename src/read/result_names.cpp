@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/result_names.hpp"
 
+#include "base/letter_case.hpp"
 #include "base/number.hpp"
 
 #include <fmt/format.h>
@@ -81,10 +82,7 @@ std::vector<std::uint32_t> tensor_places(std::size_t count, TensorOrder order) {
 }  // namespace
 
 std::string lower_name(std::string_view label) {
-    std::string out(trim(label));
-    std::ranges::transform(out, out.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    });
+    std::string out = lower_case(trim(label));
     return out.empty() ? "unnamed" : out;
 }
 

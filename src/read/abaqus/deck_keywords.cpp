@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/abaqus/deck_keywords.hpp"
 
+#include "base/letter_case.hpp"
 #include "base/number.hpp"
 
 #include "feelem/error.hpp"
@@ -18,14 +19,10 @@ namespace {
 constexpr std::size_t kMostIncludes = 4096;
 constexpr std::size_t kDeepestInclude = 32;
 
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-}
-
 std::string squeezed(std::string_view text) {
     std::string out;
     for (const char c : text) {
-        if (c != ' ' && c != '\t' && c != '\r' && c != '\0') out.push_back(upper(c));
+        if (c != ' ' && c != '\t' && c != '\r' && c != '\0') out.push_back(to_capital(c));
     }
     return out;
 }
@@ -202,9 +199,7 @@ std::string unquoted(std::string_view label) {
 }
 
 std::string folded(std::string_view label) {
-    std::string out = unquoted(label);
-    std::ranges::transform(out, out.begin(), upper);
-    return out;
+    return upper_case(unquoted(label));
 }
 
 bool Keyword::has(std::string_view key) const {

@@ -43,7 +43,7 @@ Likelihood recognise_cdb(const Input& input) {
     bool nodes = false;
     bool elements = false;
     for (Lines lines(head, 0, head.size(), line_end_of(head)); lines.next();) {
-        const std::string line = ansys::cdb::to_capitals(trim(lines.line().substr(0, 80)));
+        const std::string line = upper_case(trim(lines.line().substr(0, 80)));
         if (starts_with_any(line, kOthers)) return Likelihood::No;
         if (starts_with_any(line, kOurs)) return Likelihood::Sure;
         nodes = nodes || line.starts_with("N,");

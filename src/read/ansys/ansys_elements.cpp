@@ -2,6 +2,7 @@
 // The table of element names: after formats-ansys' list; numbers are unique, so a number alone finds a row.
 #include "read/ansys/ansys_elements.hpp"
 
+#include "base/letter_case.hpp"
 #include "base/number.hpp"
 
 #include <algorithm>
@@ -134,8 +135,7 @@ std::optional<ElementName> find_element(std::string_view name) {
     const auto found = find_element(number_of(name));
     if (!found || is_number(name)) return found;
     // Spellings differ in the end (COMBI214, COMBIN214), so two letters must do.
-    const auto capital = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; };
-    const bool same = capital(name[0]) == found->name[0] && capital(name[1]) == found->name[1];
+    const bool same = to_capital(name[0]) == found->name[0] && to_capital(name[1]) == found->name[1];
     return same ? found : std::nullopt;
 }
 

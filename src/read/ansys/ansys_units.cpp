@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/ansys/ansys_units.hpp"
 
+#include "base/letter_case.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -46,10 +48,7 @@ std::optional<LengthUnit> length_unit(std::string_view name) {
 }
 
 std::optional<LengthUnit> length_unit_of_system(std::string_view system) {
-    std::string label(system);
-    for (char& c : label) {
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
+    const std::string label = upper_case(system);
     const auto* found = std::ranges::find(kSystems, label, &SystemRow::system);
     return found == kSystems.end() ? std::nullopt : length_unit(found->length);
 }

@@ -7,26 +7,12 @@
 #include <cmath>
 
 namespace feelem::ansys::cdb {
-namespace {
-
-char capital(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
-}  // namespace
-
-std::string to_capitals(std::string_view text) {
-    std::string out(text);
-    std::ranges::transform(out, out.begin(), capital);
-    return out;
-}
-
 Command::Command(std::string_view text) {
     text = trim(text);
     const std::size_t end = std::min(text.find_first_of(", \t"), text.size());
     name_length_ = std::min(end, name_.size());
     std::transform(
-        text.begin(), text.begin() + static_cast<std::ptrdiff_t>(name_length_), name_.begin(), capital
+        text.begin(), text.begin() + static_cast<std::ptrdiff_t>(name_length_), name_.begin(), to_capital
     );
     std::string_view fields = text.substr(end);
     // Blanks may stand before the comma: "MAT ,5".
@@ -71,7 +57,7 @@ bool Parameters::take_assignment(std::string_view text) {
     if (sign == std::string_view::npos) return false;
     const std::string_view name = trim(text.substr(0, sign));
     const auto is_of_name = [](char c) {
-        const char letter = capital(c);
+        const char letter = to_capital(c);
         return (letter >= 'A' && letter <= 'Z') || (c >= '0' && c <= '9') || c == '_';
     };
     if (name.empty() || !std::ranges::all_of(name, is_of_name)) return false;
@@ -85,20 +71,20 @@ void Parameters::set(std::string_view name, std::string_view value) {
         forget(name);
         return;
     }
-    values_[to_capitals(trim(name))] = *number;
+    values_[upper_case(trim(name))] = *number;
 }
 
 void Parameters::forget(std::string_view name) {
-    values_.erase(to_capitals(trim(name)));
+    values_.erase(upper_case(trim(name)));
 }
 
 std::optional<double> Parameters::real(std::string_view field) const {
     field = trim(field);
     if (field.empty()) return 0.0;
     const char first = field.front();
-    const bool is_name = capital(first) != first || (first >= 'A' && first <= 'Z') || first == '_';
+    const bool is_name = to_capital(first) != first || (first >= 'A' && first <= 'Z') || first == '_';
     if (is_name) {
-        const auto found = values_.find(to_capitals(field));
+        const auto found = values_.find(upper_case(field));
         return found == values_.end() ? std::nullopt : std::optional(found->second);
     }
     const auto number = parse_double(field);

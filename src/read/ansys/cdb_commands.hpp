@@ -2,6 +2,8 @@
 // Lines of APDL: commands with comma-separated fields, and the parameters that Workbench puts into them.
 #pragma once
 
+#include "base/letter_case.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -36,8 +38,6 @@ private:
     std::array<std::string_view, kMostFields> fields_{};
     std::size_t count_ = 0;
 };
-
-std::string to_capitals(std::string_view text);
 
 /// Without the comment behind an exclamation mark that stands in no quotes.
 std::string_view without_comment(std::string_view line);

@@ -139,7 +139,7 @@ private:
         if (command.is("*GET") || command.is("*DIM")) settings_.parameters.forget(command[1]);
         if (command.is("*IF")) {
             const std::string_view last = command[command.field_count()];
-            conditions_ += to_capitals(last) == "THEN" ? 1 : 0;
+            conditions_ += upper_case(last) == "THEN" ? 1 : 0;
         }
         if (command.name().starts_with("*ENDIF")) conditions_ = std::max(conditions_ - 1, 0);
         if (command.name() == "*DO" || command.name().starts_with("*DOWHIL")) ++settings_.loops;
@@ -165,8 +165,7 @@ private:
         }
         if (singles_.take(command, input_, offset_)) return;
         // Workbench sets the sections and systems of elements so: no matter for the mesh.
-        const std::string option =
-            command.is("EMODIF") ? to_capitals(command[2]).substr(0, 4) : std::string();
+        const std::string option = command.is("EMODIF") ? upper_case(command[2]).substr(0, 4) : std::string();
         if (option == "SECN" || option == "REAL" || option == "ESYS") return;
         for (const std::string_view name : kNotFollowed) {
             if (command.is(name)) return not_followed(command);
@@ -262,7 +261,7 @@ private:
 
     void take_element_block(const Command& command) {
         ElementRows block;
-        const std::string key = to_capitals(command[2]);
+        const std::string key = upper_case(command[2]);
         block.form = key.starts_with("SOL")   ? ElementForm::Solid
                      : key.starts_with("COM") ? ElementForm::Compact
                                               : ElementForm::Plain;
@@ -282,7 +281,7 @@ private:
     void take_component(const Command& command) {
         ComponentRows component;
         component.name = command[1];
-        component.of_nodes = to_capitals(command[2]).starts_with("NOD");
+        component.of_nodes = upper_case(command[2]).starts_with("NOD");
         component.rows = take_rows(command, true);
         deck_.components.push_back(std::move(component));
     }

@@ -46,7 +46,7 @@ std::optional<std::string> release_in(std::string_view remark) {
     // Where no release has a name, the columns up to BUILD are blank.
     const std::string_view label = trim(release->substr(0, release->find("BUILD")));
     std::string_view version = label.empty() ? behind(*release, "BUILD").value_or("") : label;
-    if (to_capitals(version.substr(0, 8)) == "RELEASE ") version = version.substr(8);
+    if (upper_case(version.substr(0, 8)) == "RELEASE ") version = version.substr(8);
     return std::string(first_entry(version));
 }
 

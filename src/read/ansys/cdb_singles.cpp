@@ -14,7 +14,7 @@ constexpr std::size_t kMostNodes = 64;
 
 /// N,R5.3,LOC,... (N,UNBL,LOC,... since 2020) instead of N,1,...
 bool is_of_solver(const Command& command) {
-    const std::string first = to_capitals(command[1]);
+    const std::string first = upper_case(command[1]);
     return first.starts_with("R5") || first == "UNBL";
 }
 
@@ -26,7 +26,7 @@ bool define_type(std::int64_t number, std::string_view name, std::int64_t keyopt
     if (number < 1 || number > kMostNumber || name.empty()) return false;
     TypeShape& type = types[static_cast<int>(number)];
     type.element = find_element(name);
-    type.name = type.element ? std::string(type.element->name) : to_capitals(name);
+    type.name = type.element ? std::string(type.element->name) : upper_case(name);
     type.keyopt1 = keyopt1 >= 0 && keyopt1 <= kMostNumber ? static_cast<int>(keyopt1) : 0;
     return true;
 }
@@ -110,7 +110,7 @@ void SingleCommands::take_node(const Command& command) {
         if (!real || number < 0 || settings_.loops > 0) return left_out(command);
         reals[i] = *real;
     }
-    if (of_solver && to_capitals(command[2]) == "ANG") {
+    if (of_solver && upper_case(command[2]) == "ANG") {
         if (!deck_.nodes.empty() && deck_.nodes.back().id == number)
             deck_.nodes.back().angles = {reals[0], reals[1], reals[2]};
         return;
@@ -129,7 +129,7 @@ void SingleCommands::take_numbered_element(const Command& command) {
         add_element(number, settings_.type, settings_.material);
         return add_nodes(command, 2);
     }
-    if (to_capitals(command[2]) == "NODE") return add_nodes(command, 3);
+    if (upper_case(command[2]) == "NODE") return add_nodes(command, 3);
     open_element_ = false;
     if (parameters.integer(command[3]).value_or(0) < 0) return;  // The end of a block.
     const auto number = parameters.integer(command[9]).value_or(0);

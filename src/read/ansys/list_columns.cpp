@@ -2,6 +2,8 @@
 // The table of column names.
 #include "read/ansys/list_columns.hpp"
 
+#include "base/letter_case.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -118,14 +120,6 @@ Found find_quantity(const std::array<Quantity, N>& table, std::string_view colum
     return {};
 }
 
-std::string lower_of(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return lower;
-}
-
 bool is_axis(std::string_view component) {
     constexpr std::array kAxes{"x", "y", "z", "xx", "yy", "zz", "xy", "yz", "zx"};
     return std::ranges::find(kAxes, component) != kAxes.end();
@@ -218,15 +212,15 @@ std::vector<ColumnGroup> group_columns(const List& list) {
             if (found.quantity->is_dof) info.averaging = Averaging::NotApplicable;
             info.nodal_system = head.axes == AxesNote::Nodal;
             component =
-                foreign_axes && is_axis(found.component) ? lower_of(text) : std::string(found.component);
+                foreign_axes && is_axis(found.component) ? lower_case(text) : std::string(found.component);
         } else if (list.kind == ListKind::ElementValues) {
-            info.name = lower_of(text);
+            info.name = lower_case(text);
             info.solver_name = text;
             component = "value";
         } else {
-            info.name = head.label.empty() ? "values" : lower_of(head.label);
+            info.name = head.label.empty() ? "values" : lower_case(head.label);
             info.solver_name = head.label;
-            component = lower_of(text);
+            component = lower_case(text);
         }
         ColumnGroup& group = group_of(groups, info);
         if (static_cast<std::size_t>(&group - groups.data()) == quantities.size())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/ansys/list_heads.hpp"
 
+#include "base/letter_case.hpp"
 #include "read/ansys/list_text.hpp"
 
 #include <algorithm>
@@ -14,11 +15,7 @@ constexpr std::size_t kLongestHeadLine = 240;
 }  // namespace
 
 std::string capitals_of(std::string_view line) {
-    std::string text(trim(line.substr(0, kLongestHeadLine)));
-    for (char& c : text) {
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
-    return text;
+    return upper_case(trim(line.substr(0, kLongestHeadLine)));
 }
 
 std::optional<double> number_after(std::string_view text, std::string_view key) {

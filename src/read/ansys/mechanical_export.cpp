@@ -5,6 +5,7 @@
 // stands in blocks of ascending numbers, one block a body.
 #include "read/ansys/mechanical_export.hpp"
 
+#include "base/letter_case.hpp"
 #include "read/ansys/list_text.hpp"
 
 #include "feelem/error.hpp"
@@ -38,14 +39,6 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
     }
     while (!fields.empty() && fields.back().empty()) fields.pop_back();
     return fields;
-}
-
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return lower;
 }
 
 /// Bytes of Latin-1 as UTF-8 when the text is not UTF-8 already.

@@ -26,17 +26,4 @@ void copy_elements(const Mesh& from, const CopyRules& rules, MeshBuilder& to) {
     }
 }
 
-ElementLookup::ElementLookup(const Mesh& mesh) {
-    std::uint32_t index = 0;
-    for (const ElementBlock& block : mesh.blocks) {
-        for (const ElementId id : block.ids) ids_.emplace_back(id, ElementIndex{index++});
-    }
-    std::ranges::stable_sort(ids_, {}, &std::pair<ElementId, ElementIndex>::first);
-}
-
-ElementIndex ElementLookup::operator()(ElementId id) const {
-    const auto found = std::ranges::lower_bound(ids_, id, {}, &std::pair<ElementId, ElementIndex>::first);
-    return found != ids_.end() && found->first == id ? found->second : kNoElement;
-}
-
 }  // namespace feelem::rst

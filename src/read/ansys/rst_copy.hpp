@@ -20,15 +20,4 @@ struct CopyRules {
 };
 void copy_elements(const Mesh& from, const CopyRules& rules, MeshBuilder& to);
 
-/// Element ids of a mesh, ascending, with their indexes.
-class ElementLookup {
-public:
-    explicit ElementLookup(const Mesh& mesh);
-    /// kNoElement when there is no such element.
-    ElementIndex operator()(ElementId id) const;
-
-private:
-    std::vector<std::pair<ElementId, ElementIndex>> ids_;
-};
-
 }  // namespace feelem::rst

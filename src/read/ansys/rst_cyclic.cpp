@@ -13,6 +13,7 @@
 #include "model/node_lookup.hpp"
 #include "read/ansys/rst_copy.hpp"
 #include "read/ansys/rst_sectors.hpp"
+#include "read/element_lookup.hpp"
 
 #include "feelem/error.hpp"
 

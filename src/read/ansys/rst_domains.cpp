@@ -4,6 +4,7 @@
 #include "model/mesh_builder.hpp"
 #include "model/node_lookup.hpp"
 #include "read/ansys/rst_copy.hpp"
+#include "read/element_lookup.hpp"
 
 #include "feelem/error.hpp"
 

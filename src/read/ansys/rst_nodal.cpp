@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/ansys/rst_nodal.hpp"
 
+#include "base/letter_case.hpp"
+
 #include "feelem/error.hpp"
 
 #include <fmt/format.h>
@@ -85,20 +87,13 @@ std::string label_of(std::int32_t code) {
     return fmt::format("DOF{}", code);
 }
 
-std::string lower(std::string text) {
-    for (char& c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
-}
-
 /// Fills in what is known of an unknown by itself.
 ResultInfo nodal_info(std::int32_t code, const Units& units) {
     ResultInfo info;
     const auto* found = std::ranges::find(kDofs, code, &Dof::code);
     if (found == kDofs.end()) {
         info.solver_name = label_of(code);
-        info.name = lower(info.solver_name);
+        info.name = lower_case(info.solver_name);
         info.components = {"value"};
         return info;
     }
@@ -184,10 +179,11 @@ private:
         if (record == NodalRecord::Solution) return;
         const bool moves = info.name == "displacement", turns = info.name == "rotation";
         if (record == NodalRecord::Reaction) {
-            const std::string name = moves                        ? "reaction_force"
-                                     : turns                      ? "reaction_moment"
-                                     : info.name == "temperature" ? "reaction_heat_flow"
-                                                                  : "reaction_" + lower(info.solver_name);
+            const std::string name = moves   ? "reaction_force"
+                                     : turns ? "reaction_moment"
+                                     : info.name == "temperature"
+                                         ? "reaction_heat_flow"
+                                         : "reaction_" + lower_case(info.solver_name);
             info.unit = moves ? units_.force : "";
             info.solver_name = moves ? "F" : turns ? "M" : info.name == "temperature" ? "HEAT" : "RF";
             info.name = name;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/calculix/frd_names.hpp"
 
+#include "base/letter_case.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,14 +55,6 @@ constexpr std::string_view kAtNodes[]{
     "PFORC",  "RFL",    "ELPOT", "CONTACT", "PCONTAC", "MDISP",   "TOTEMP",  "MAFLOW",  "TOPRES",
     "STPRES", "STTEMP", "DEPTH", "HCRIT",   "NORM",    "SENFREQ", "SENSTRE", "CT3D-MIS"};
 
-std::string lower(std::string_view text) {
-    std::string out(text);
-    std::ranges::transform(out, out.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    });
-    return out;
-}
-
 /// Ends in XX, YY ... in the .frd order, which is ours.
 bool is_tensor(std::span<const Component> components) {
     constexpr std::array<std::string_view, 6> kEnds{"XX", "YY", "ZZ", "XY", "YZ", "ZX"};
@@ -98,7 +92,7 @@ void name_components(ResultInfo& info, std::span<const Component> components) {
         info.shape = Shape::Other;
     }
     for (std::size_t i = names.size(); i < components.size(); ++i) {
-        std::string name = lower(components[i].name);
+        std::string name = lower_case(components[i].name);
         if (name.empty() || std::ranges::find(names, name) != names.end())
             name = fmt::format("{}_{}", name.empty() ? "component" : name, i + 1);
         names.push_back(std::move(name));
@@ -216,7 +210,7 @@ private:
         listed.columns = columns;
         ResultInfo& info = listed.info;
         const Known* known = find_known(name);
-        info.name = known != nullptr ? std::string(known->ours) : lower(name);
+        info.name = known != nullptr ? std::string(known->ours) : lower_case(name);
         if (info.name.empty()) info.name = "unnamed";
         info.solver_name = block.name;
         info.step = step;
@@ -249,7 +243,7 @@ private:
             return names_.emplace(info.step, info.layer, info.complex, name).second;
         };
         if (take(info.name)) return;
-        const std::string ours = std::exchange(info.name, lower(info.solver_name));
+        const std::string ours = std::exchange(info.name, lower_case(info.solver_name));
         if (take(info.name)) return;
         int& number = repeats_[{info.step, ours}];
         do {

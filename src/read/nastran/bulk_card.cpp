@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/nastran/bulk_card.hpp"
 
+#include "base/letter_case.hpp"
 #include "base/number.hpp"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ CardHead card_head(std::string_view line, std::size_t offset) {
             head.large = true;
             break;
         }
-        head.letters[head.length++] = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        head.letters[head.length++] = to_capital(c);
     }
     return head;
 }

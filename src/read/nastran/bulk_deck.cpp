@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/nastran/bulk_deck.hpp"
 
+#include "base/letter_case.hpp"
 #include "base/number.hpp"
 
 #include "feelem/error.hpp"
@@ -16,16 +17,12 @@ namespace {
 
 constexpr std::size_t kLongestName = 1024;
 
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 /// The line's first word is `word` (in capitals), in any case.
 bool starts_with_word(std::string_view line, std::string_view word) {
     line = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
     if (line.size() < word.size()) return false;
     for (std::size_t i = 0; i < word.size(); ++i) {
-        if (upper(line[i]) != word[i]) return false;
+        if (to_capital(line[i]) != word[i]) return false;
     }
     return line.size() == word.size() || line[word.size()] == ' ' || line[word.size()] == '\t' ||
            line[word.size()] == '=' || line[word.size()] == '\'' || line[word.size()] == '"' ||

@@ -3,6 +3,7 @@
 #include "read/nastran/nastran_op2.hpp"
 
 #include "model/mesh_builder.hpp"
+#include "read/element_lookup.hpp"
 #include "read/nastran/op2_contents.hpp"
 #include "read/nastran/op2_mesh.hpp"
 
@@ -194,7 +195,7 @@ private:
     Layout layout_;
     Contents contents_;
     Mesh own_mesh_;
-    std::optional<op2::ElementLookup> lookup_;
+    std::optional<ElementLookup> lookup_;
     const Mesh* mesh_ = nullptr;
     std::vector<ResultInfo> infos_;
     std::vector<bool> reported_;

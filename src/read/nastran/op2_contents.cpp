@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/nastran/op2_contents.hpp"
 
+#include "base/letter_case.hpp"
 #include "read/nastran/op2_steps.hpp"
 
 #include <fmt/format.h>
@@ -20,14 +21,6 @@ bool is_result_table(const Table& table) {
 }
 
 constexpr int kMpcForceCode = 39;
-
-std::string lower(std::string_view text) {
-    std::string out(text);
-    std::ranges::transform(out, out.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    });
-    return out;
-}
 
 /// What a block holds that is not used, as far as its ident says it.
 std::string unused_text(const std::string& table, const Ident& ident) {
@@ -312,7 +305,7 @@ private:
             return names_.emplace(info.step, info.complex, info.layer, one).second;
         };
         if (take(std::string(name))) return std::string(name);
-        const std::string with_table = fmt::format("{}_{}", name, lower(info.solver_name));
+        const std::string with_table = fmt::format("{}_{}", name, lower_case(info.solver_name));
         if (take(with_table)) return with_table;
         int& number = repeats_[{info.step, with_table}];
         for (number = std::max(number, 1);;) {

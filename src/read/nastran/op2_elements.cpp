@@ -266,20 +266,6 @@ std::optional<StressKind> stress_kind(const Ident& ident) {
     }
 }
 
-ElementLookup::ElementLookup(const Mesh& mesh) {
-    ids_.reserve(mesh.element_count());
-    std::uint32_t index = 0;
-    for (const ElementBlock& block : mesh.blocks) {
-        for (const ElementId id : block.ids) ids_.emplace_back(id, ElementIndex{index++});
-    }
-    std::ranges::sort(ids_);
-}
-
-ElementIndex ElementLookup::operator()(ElementId id) const {
-    const auto found = std::ranges::lower_bound(ids_, id, {}, [](const auto& entry) { return entry.first; });
-    return found == ids_.end() || found->first != id ? kNoElement : found->second;
-}
-
 ElementValues read_elements(
     const Input& input,
     const Layout& layout,

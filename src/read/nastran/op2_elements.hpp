@@ -2,6 +2,7 @@
 // Stresses and strains of solids, shells and rods.
 #pragma once
 
+#include "read/element_lookup.hpp"
 #include "read/nastran/op2_ident.hpp"
 #include "read/nastran/op2_records.hpp"
 
@@ -76,17 +77,6 @@ struct ElementResult {
     int fibre = 0;  ///< Shells: 0 the lower one (middle), 1 the upper one (curvature).
     std::string table;
     std::vector<ElementBlockRef> blocks;
-};
-
-/// Solver's element ids to places in the mesh.
-class ElementLookup {
-public:
-    explicit ElementLookup(const Mesh& mesh);
-    /// kNoElement when there is none.
-    ElementIndex operator()(ElementId id) const;
-
-private:
-    std::vector<std::pair<ElementId, ElementIndex>> ids_;
 };
 
 struct ElementValues {
