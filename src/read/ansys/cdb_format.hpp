@@ -39,8 +39,9 @@ inline bool fast_real_of(const char* at, std::size_t width, double& out) {
     if (mark < kMantissa) return false;
 
     const char* start = at + mark - kMantissa;
-    bool plain = at[mark] == 'E';
-    for (const char* blank = at; blank != start; ++blank) plain = plain & (*blank == ' ');
+    // Counted, not tested one by one: a branch each would cost more than the number itself.
+    unsigned odd = at[mark] != 'E';
+    for (const char* blank = at; blank != start; ++blank) odd += *blank != ' ';
     std::uint64_t head = 0;
     if constexpr (kWide) {  // s d . d d d d d  ->  0 0 d d d d d d
         const std::uint64_t word = load8(start);
@@ -55,12 +56,17 @@ inline bool fast_real_of(const char* at, std::size_t width, double& out) {
     const auto hundreds = three ? static_cast<unsigned>(at[mark + 2] - '0') : 0U;
     const auto tens = static_cast<unsigned>(at[width - 2] - '0');
     const auto units = static_cast<unsigned>(at[width - 1] - '0');
-    plain = plain & (negative | (*start == ' ')) & (start[2] == '.') & is_eight_digits(head) &
-            is_eight_digits(tail) & (shrinks | (at[mark + 1] == '+')) & (hundreds <= 9) & (tens <= 9) &
-            (units <= 9);
+    odd += *start != (negative ? '-' : ' ');
+    odd += start[2] != '.';
+    odd += !is_eight_digits(head);
+    odd += !is_eight_digits(tail);
+    odd += at[mark + 1] != (shrinks ? '-' : '+');
+    odd += hundreds > 9;
+    odd += tens > 9;
+    odd += units > 9;
     const int written = static_cast<int>(hundreds * 100 + tens * 10 + units);
     const int exponent = (shrinks ? -written : written) - static_cast<int>(Decimals);
-    if (!plain || exponent < -22 || exponent > 22) return false;
+    if (odd != 0 || exponent < -22 || exponent > 22) return false;
     const auto digits = static_cast<double>(
         value_of_eight_digits(head) * std::int64_t{100'000'000} + value_of_eight_digits(tail)
     );
@@ -81,10 +87,10 @@ inline bool stays_in_line(const char* at, std::size_t count) {
     constexpr std::uint64_t kPrintable =
         0x2020202020202020;  // Set in blanks, digits and signs alone of those.
     std::size_t i = 0;
-    bool stays = true;
-    for (; i + 8 <= count; i += 8) stays = stays & ((load8(at + i) & kPrintable) == kPrintable);
-    for (; i < count; ++i) stays = stays & ((at[i] & 0x20) != 0);
-    return stays;
+    std::uint64_t common = kPrintable;
+    for (; i + 8 <= count; i += 8) common &= load8(at + i);
+    for (; i < count; ++i) common &= at[i] & 0x20 ? kPrintable : 0;
+    return common == kPrintable;
 }
 
 }  // namespace feelem::ansys::cdb

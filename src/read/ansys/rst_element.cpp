@@ -92,7 +92,7 @@ bool is_field(const ResultSet& set, Field field) {
 class Lister {
 public:
     Lister(const ResultSets& sets, const ResultHeader& header, const FileMesh& mesh)
-        : sets_(sets), units_(units_of(header.units)), mesh_(mesh) {
+        : sets_(sets), units_(units_of(header.units)) {
         std::vector<bool> used(mesh.kinds.size());
         for (const FileElement& element : mesh.elements)
             used[element.kind] = used[element.kind] || element.index != kNoElement;
@@ -155,7 +155,6 @@ private:
 
     const ResultSets& sets_;
     Units units_;
-    const FileMesh& mesh_;
     bool any_ = false, shells_ = false, middles_ = false, quadratic_ = false;
     std::vector<ElementResult> out_;
 };
@@ -297,8 +296,10 @@ std::vector<std::uint32_t> elements_in_mesh_order(const FileMesh& mesh) {
     }
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return mesh.elements[i].index; });
     // An id that stands twice in a damaged file: the first one has the results.
-    const auto same = std::ranges::unique(order, {}, [&](std::uint32_t i) { return mesh.elements[i].index; });
-    order.erase(same.begin(), same.end());
+    const auto same = [&](std::uint32_t a, std::uint32_t b) {
+        return mesh.elements[a].index == mesh.elements[b].index;
+    };
+    order.erase(std::unique(order.begin(), order.end(), same), order.end());
     return order;
 }
 

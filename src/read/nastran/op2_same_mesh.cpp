@@ -68,12 +68,11 @@ void check_same_ids(const Mesh& deck, const Mesh& own, const Input& input) {
     };
     for (const auto& [id, index] : by_id(own)) {
         const auto mine = element_at(own, index).nodes();
-        const auto found =
-            std::ranges::equal_range(theirs, id, {}, &std::pair<ElementId, ElementIndex>::first);
-        const bool same = std::ranges::any_of(found, [&](const auto& other) {
-            return std::ranges::equal(mine, element_at(deck, other.second).nodes(), same_node);
-        });
-        if (same || found.empty()) continue;
+        auto other = std::ranges::lower_bound(theirs, id, {}, &std::pair<ElementId, ElementIndex>::first);
+        bool same = other == theirs.end() || other->first != id;
+        for (; !same && other != theirs.end() && other->first == id; ++other)
+            same = std::ranges::equal(mine, element_at(deck, other->second).nodes(), same_node);
+        if (same) continue;
         throw Error(
             Code::MeshesDiffer,
             input.name(),
