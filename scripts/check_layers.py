@@ -24,7 +24,8 @@ PUBLIC_HEADER_OWNER = {
     "read": "read", "derive": "derive", "skin": "skin", "pick": "pick", "write": "write", "present": "present",
     "scene": "scene", "convert": "convert", "probe": "convert",
 }
-ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli"}
+ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli",
+           "vtk": "apps/exchange", "hdf5.h": "apps/exchange"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
 

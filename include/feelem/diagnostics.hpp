@@ -32,6 +32,7 @@ enum class Code : std::uint16_t {
     BadScene,
     BadPresentation,
     MeshesDiffer,
+    UnsupportedFormat,
     // Input that was used, but not all of it or not as it stands (Diagnostics).
     UnknownNode,
     DuplicateNode,

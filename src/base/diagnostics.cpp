@@ -51,6 +51,12 @@ constexpr std::array kTable{
         Severity::Error,
         "Two inputs hold different meshes under the same ids."},
     CodeInfo{
+        Code::UnsupportedFormat,
+        "unsupported_format",
+        Severity::Error,
+        "The file is of a known kind that Feelem does not read, or not in this build; the message says what "
+        "to do."},
+    CodeInfo{
         Code::UnknownNode,
         "unknown_node",
         Severity::Warning,

@@ -4,6 +4,7 @@
 #include "base/text_encoding.hpp"
 #include "read/merged_model.hpp"
 #include "read/read_format.hpp"
+#include "read/strangers.hpp"
 
 #include "feelem/error.hpp"
 #include "feelem/read.hpp"
@@ -135,6 +136,10 @@ Sorted sort_by_format(std::span<const NamedInput> inputs, const ReadOptions& opt
         sorted.was_named.push_back(was_named);
     }
     if (sorted.texts.empty()) {
+        for (const Input& input : sorted.unknown) {
+            const std::string_view advice = advice_for(without_encoding(input));
+            if (!advice.empty()) throw Error(Code::UnsupportedFormat, input.name(), std::string(advice));
+        }
         throw Error(
             Code::UnknownFormat,
             sorted.unknown.empty() ? "" : sorted.unknown.front().name(),

@@ -7,6 +7,8 @@
 #include "read/ansys/ansys_rst.hpp"
 #include "read/calculix/calculix_dat.hpp"
 #include "read/calculix/calculix_frd.hpp"
+#include "read/exchange/exchange_formats.hpp"
+#include "read/gmsh/gmsh_format.hpp"
 #include "read/nastran/nastran_bulk.hpp"
 #include "read/nastran/nastran_f06.hpp"
 #include "read/nastran/nastran_op2.hpp"
@@ -19,6 +21,8 @@
 namespace feelem {
 
 std::span<const ReadFormat> read_format_list() {
+    // One a line: several people add to it.
+    // clang-format off
     static const std::vector<ReadFormat> list{
         ansys_rst_format(),
         calculix_frd_format(),
@@ -32,7 +36,17 @@ std::span<const ReadFormat> read_format_list() {
         nastran_punch_format(),
         nastran_f06_format(),
         calculix_dat_format(),
+        gmsh_msh_format(),
+        vtk_legacy_format(),
+        vtk_xml_format(),
+        pvd_format(),
+        exodus_format(),
+        ensight_format(),
+        cgns_format(),
+        med_format(),
+        lsdyna_d3plot_format(),
     };
+    // clang-format on
     return list;
 }
 

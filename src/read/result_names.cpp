@@ -63,9 +63,9 @@ std::string without_separators(std::string_view label) {
     return out;
 }
 
-constexpr std::array<std::string_view, 3> kVector{"x", "y", "z"};
-constexpr std::array<std::string_view, 9> kTensor{"xx", "yy", "zz", "xy", "yz", "zx", "yx", "zy", "xz"};
-/// Places of the numbers of kTensor in the file.
+constexpr std::array<std::string_view, 3> kVectorNames{"x", "y", "z"};
+constexpr std::array<std::string_view, 9> kTensorNames{"xx", "yy", "zz", "xy", "yz", "zx", "yx", "zy", "xz"};
+/// Places of the numbers of kTensorNames in the file.
 std::vector<std::uint32_t> tensor_places(std::size_t count, TensorOrder order) {
     if (count == 9) {
         if (order == TensorOrder::Ideas) return {0, 4, 8, 3, 7, 2, 1, 5, 6};
@@ -97,7 +97,9 @@ std::string common_name(std::string_view label, std::size_t components) {
 std::vector<std::uint32_t> name_components(ResultInfo& info, std::size_t count, TensorOrder order) {
     if (count == 6 || count == 9) {
         info.shape = Shape::SymmetricTensor;
-        info.components.assign(kTensor.begin(), kTensor.begin() + static_cast<std::ptrdiff_t>(count));
+        info.components.assign(
+            kTensorNames.begin(), kTensorNames.begin() + static_cast<std::ptrdiff_t>(count)
+        );
         return tensor_places(count, order);
     }
     if (count == 1) {
@@ -105,7 +107,9 @@ std::vector<std::uint32_t> name_components(ResultInfo& info, std::size_t count, 
         info.components = {"value"};
     } else if (count == 2 || count == 3) {
         info.shape = count == 3 ? Shape::Vector : Shape::Other;
-        info.components.assign(kVector.begin(), kVector.begin() + static_cast<std::ptrdiff_t>(count));
+        info.components.assign(
+            kVectorNames.begin(), kVectorNames.begin() + static_cast<std::ptrdiff_t>(count)
+        );
     } else {
         info.shape = Shape::Other;
         info.components.clear();

@@ -42,6 +42,31 @@ TEST(OpenModel, rejects_a_file_that_no_reader_knows) {
     EXPECT_EQ(code_of_opening({file}), Code::UnknownFormat);
 }
 
+void expect_advice(const std::string& bytes, const std::string& advice) {
+    Diagnostics diagnostics;
+    try {
+        open_model(std::vector<NamedBytes>{{"stranger", bytes}}, {}, diagnostics);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::UnsupportedFormat);
+        EXPECT_THAT(error.what(), HasSubstr(advice));
+    }
+}
+
+TEST(OpenModel, says_what_to_do_with_formats_that_it_knows_but_does_not_read) {
+    expect_advice("<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n", "meshio convert");
+    expect_advice("TITLE = \"x\"\nVARIABLES = \"X\", \"Y\"\nZONE NODES = 3\n", "ParaView");
+    expect_advice("#!TDV112", "ParaView");
+}
+
+TEST(OpenModel, real_strangers_are_refused_with_advice) {
+    for (const char* name : {"boiler_linear.xdmf", "boiler_linear_h5.xdmf", "boiler_linear_tecplot.dat"}) {
+        const auto file = test::corpus_file(std::string("converted/") + name);
+        if (!file) GTEST_SKIP() << "the corpus is not here";
+        EXPECT_EQ(code_of_opening({*file}), Code::UnsupportedFormat) << name;
+    }
+}
+
 TEST(OpenModel, rejects_an_empty_folder) {
     EXPECT_EQ(code_of_opening({test::scratch_folder("open_model_empty")}), Code::UnknownFormat);
 }

@@ -19,7 +19,7 @@ struct DatasetHead {
     int number = 0;
     std::uint64_t binary_bytes = 0;
 };
-std::optional<DatasetHead> read_head(std::string_view line) {
+std::optional<DatasetHead> read_dataset_head(std::string_view line) {
     DatasetHead head;
     std::string_view word = take_word(line);
     const bool binary = word.ends_with('b');
@@ -57,7 +57,7 @@ std::vector<Dataset> find_datasets(const Input& input, Diagnostics& diagnostics)
         inside = !inside;
         if (!inside) continue;
         const auto line = lines.next();
-        const auto head = line ? read_head(*line) : std::nullopt;
+        const auto head = line ? read_dataset_head(*line) : std::nullopt;
         if (!head) {
             // Two delimiters in a row, or rubbish: the dataset starts with the next one.
             inside = line && is_delimiter(*line);
@@ -85,7 +85,7 @@ bool starts_like_unv(const Input& input) {
         if (trim(*line).empty()) continue;
         if (!is_delimiter(*line)) return false;
         const auto second = lines.next();
-        return second && read_head(*second).has_value();
+        return second && read_dataset_head(*second).has_value();
     }
     return false;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/input.hpp"
+#include "read/listed_source.hpp"
 #include "read/unv/unv_datasets.hpp"
 
 #include "feelem/diagnostics.hpp"
@@ -34,12 +35,7 @@ struct Contents {
 /// From the heads alone.
 Contents list_contents(const Input& input, std::span<const Dataset> datasets, Diagnostics& diagnostics);
 
-struct Values {
-    Result result;
-    std::uint64_t without_owner = 0;   ///< Rows whose node or element the mesh does not have.
-    std::uint64_t without_number = 0;  ///< NaN or infinity in the file; missing here.
-    std::uint64_t left_over = 0;       ///< Rows with further numbers (shell layers), which are left out.
-};
-Values read_values(const Input& input, const Listed& listed, const Mesh& mesh);
+/// Throws Error on a damaged record.
+LoadedResult read_values(const Input& input, const Listed& listed, const Mesh& mesh);
 
 }  // namespace feelem::unv

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -47,7 +46,7 @@ public:
     RecordReader(const Input& input, const Listed& listed, const Mesh& mesh)
         : listed_(listed), mesh_(mesh), lines_(input, listed.first, listed.last) {}
 
-    Values read() {
+    LoadedResult read() {
         values_.result.info = listed_.info;
         switch (listed_.info.location) {
         case Location::Nodal: read_nodes(); break;
@@ -160,7 +159,7 @@ private:
             if (element == kNoElement || !add_element(element, nodes, one_for_all ? 0 : count))
                 ++values_.without_owner;
         }
-        sort_rows();
+        sort_rows_by_owner(values_.result);
     }
 
     /// Rows of an element's nodes, from the file's order; false when their number fits no form of it.
@@ -182,35 +181,17 @@ private:
         return true;
     }
 
-    void sort_rows() {
-        Result& result = values_.result;
-        if (std::ranges::is_sorted(result.row_owner)) return;
-        std::vector<std::uint32_t> order(result.row_owner.size());
-        std::iota(order.begin(), order.end(), 0U);
-        std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return result.row_owner[i]; });
-        Result sorted;
-        sorted.info = result.info;
-        const std::size_t width = listed_.places.size();
-        for (const std::uint32_t i : order) {
-            sorted.row_owner.push_back(result.row_owner[i]);
-            sorted.row_node.push_back(result.row_node[i]);
-            const auto from = result.values.begin() + static_cast<std::ptrdiff_t>(i * width);
-            sorted.values.insert(sorted.values.end(), from, from + static_cast<std::ptrdiff_t>(width));
-        }
-        result = std::move(sorted);
-    }
-
     const Listed& listed_;
     const Mesh& mesh_;
     TextLines lines_;
     std::string_view rest_;
     std::vector<float> row_;
-    Values values_;
+    LoadedResult values_;
 };
 
 }  // namespace
 
-Values read_values(const Input& input, const Listed& listed, const Mesh& mesh) {
+LoadedResult read_values(const Input& input, const Listed& listed, const Mesh& mesh) {
     return RecordReader(input, listed, mesh).read();
 }
 

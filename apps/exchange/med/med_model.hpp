@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The helper's two answers for MED files. Throw std::exception with words for the user.
+#pragma once
+
+#include "read/exchange/neutral_form.hpp"
+
+#include <string>
+
+namespace feelem::exchange {
+
+std::string list_med(const std::string& path);
+/// The values of a result of that list.
+std::string load_med(const std::string& path, const NeutralResult& result);
+
+}  // namespace feelem::exchange

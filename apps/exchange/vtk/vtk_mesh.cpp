@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "vtk/vtk_mesh.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCellTypes.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace feelem::exchange {
+namespace {
+
+/// Feelem's node i is VTK's node order[i]. The wedge border of the project: see src/write/vtu.cpp for the way
+/// out.
+constexpr std::array<std::uint8_t, 6> kWedge6{0, 2, 1, 3, 5, 4};
+constexpr std::array<std::uint8_t, 15> kWedge15{0, 2, 1, 3, 5, 4, 8, 7, 6, 11, 10, 9, 12, 14, 13};
+constexpr std::array<std::uint8_t, 18> kWedge18{0, 2, 1, 3, 5, 4, 8, 7, 6, 11, 10, 9, 12, 14, 13, 17, 16, 15};
+constexpr std::array<std::uint8_t, 8> kVoxel{0, 1, 3, 2, 4, 5, 7, 6};
+constexpr std::array<std::uint8_t, 4> kPixel{0, 1, 3, 2};
+
+struct Shape {
+    ElementType type;
+    std::span<const std::uint8_t> order;  ///< Empty: in order.
+};
+
+std::optional<Shape> shape_of(int vtk, vtkIdType points, bool turns_wedges) {
+    if (vtk == VTK_VOXEL) return Shape{ElementType::Hex8, kVoxel};
+    if (vtk == VTK_PIXEL) return Shape{ElementType::Quad4, kPixel};
+    if (vtk == VTK_POLYGON && points == 3) return Shape{ElementType::Tri3, {}};
+    if (vtk == VTK_POLYGON && points == 4) return Shape{ElementType::Quad4, {}};
+    if (vtk == VTK_POLY_LINE && points == 2) return Shape{ElementType::Line2, {}};
+    if (vtk == VTK_POLY_VERTEX && points == 1) return Shape{ElementType::Point1, {}};
+    for (std::size_t i = 0; i < kElementTypeCount; ++i) {
+        const ElementRow& row = element_row(static_cast<ElementType>(i));
+        if (row.vtk_type != vtk || row.node_count != points) continue;
+        if (turns_wedges && row.type == ElementType::Wedge6) return Shape{row.type, kWedge6};
+        if (turns_wedges && row.type == ElementType::Wedge15) return Shape{row.type, kWedge15};
+        if (turns_wedges && row.type == ElementType::Wedge18) return Shape{row.type, kWedge18};
+        return Shape{row.type, {}};
+    }
+    return {};
+}
+
+/// Ids of all leaves, or nothing when a leaf has none, or they are no ids.
+std::optional<std::vector<std::vector<std::int64_t>>> ids_of(
+    const std::vector<Leaf>& leaves, bool points, std::span<const std::string_view> names
+) {
+    std::vector<std::vector<std::int64_t>> all;
+    for (const Leaf& leaf : leaves) {
+        vtkDataSetAttributes* const data =
+            points ? static_cast<vtkDataSetAttributes*>(leaf.data->GetPointData()) : leaf.data->GetCellData();
+        vtkDataArray* array = nullptr;
+        for (const std::string_view name : names) {
+            if (array == nullptr) array = data->GetArray(std::string(name).c_str());
+        }
+        const vtkIdType count = points ? leaf.data->GetNumberOfPoints() : leaf.data->GetNumberOfCells();
+        if (array == nullptr || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
+            return {};
+        std::vector<std::int64_t>& ids = all.emplace_back();
+        std::unordered_set<std::int64_t> seen;
+        for (vtkIdType i = 0; i < count; ++i) {
+            const double value = array->GetComponent(i, 0);
+            if (!(value >= 1 && value < 9e15)) return {};
+            ids.push_back(static_cast<std::int64_t>(value));
+            if (!seen.insert(ids.back()).second) return {};
+        }
+    }
+    return all;
+}
+
+constexpr std::array<std::string_view, 4> kNodeIds{
+    "GlobalNodeId", "GlobalNodeID", "NodeId", "PedigreeNodeId"};
+constexpr std::array<std::string_view, 4> kElementIds{
+    "GlobalElementId", "GlobalElementID", "ElementId", "PedigreeElementId"};
+
+void merge_nodes(const std::vector<Leaf>& leaves, Merged& merged, NeutralModel* model) {
+    const auto ids = ids_of(leaves, true, kNodeIds);
+    std::unordered_map<std::int64_t, std::uint32_t> known;
+    for (std::size_t l = 0; l < leaves.size(); ++l) {
+        std::vector<std::uint32_t>& places = merged.node_of.emplace_back();
+        const vtkIdType count = leaves[l].data->GetNumberOfPoints();
+        for (vtkIdType i = 0; i < count; ++i) {
+            const auto next = static_cast<std::uint32_t>(merged.nodes);
+            std::int64_t id = std::int64_t{next} + 1;
+            if (ids) {
+                id = (*ids)[l][static_cast<std::size_t>(i)];
+                const auto [at, is_new] = known.try_emplace(id, next);
+                places.push_back(at->second);
+                if (!is_new) continue;
+            } else {
+                places.push_back(next);
+            }
+            ++merged.nodes;
+            if (model == nullptr) continue;
+            double at[3];
+            leaves[l].data->GetPoint(i, at);
+            model->node_ids.push_back(id);
+            model->coordinates.insert(model->coordinates.end(), at, at + 3);
+        }
+    }
+}
+
+/// Whether most wedges have the triangle 0 1 2 facing away from 3 4 5.
+bool are_wedges_turned(vtkDataSet* data) {
+    vtkNew<vtkIdList> points;
+    std::ptrdiff_t balance = 0;
+    for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
+        const int type = data->GetCellType(c);
+        if (type != VTK_WEDGE && type != VTK_QUADRATIC_WEDGE && type != VTK_BIQUADRATIC_QUADRATIC_WEDGE)
+            continue;
+        data->GetCellPoints(c, points);
+        double at[4][3];
+        for (vtkIdType i = 0; i < 4; ++i) data->GetPoint(points->GetId(i), at[i]);
+        double a[3], b[3], d[3];
+        for (int k = 0; k < 3; ++k) {
+            a[k] = at[1][k] - at[0][k];
+            b[k] = at[2][k] - at[0][k];
+            d[k] = at[3][k] - at[0][k];
+        }
+        const double towards = d[0] * (a[1] * b[2] - a[2] * b[1]) + d[1] * (a[2] * b[0] - a[0] * b[2]) +
+                               d[2] * (a[0] * b[1] - a[1] * b[0]);
+        balance += towards < 0 ? 1 : towards > 0 ? -1 : 0;
+    }
+    return balance > 0;
+}
+
+std::string part_name(const std::string& leaf, std::size_t index, std::size_t count) {
+    if (!leaf.empty()) return leaf;
+    return count == 1 ? "mesh" : fmt::format("block {}", index + 1);
+}
+
+}  // namespace
+
+bool is_id_array(std::string_view name) {
+    constexpr std::string_view kOthers[]{
+        "ObjectId", "vtkGhostType", "UserID", "GlobalIds", "Part", "PedigreeIds"};
+    return std::ranges::find(kNodeIds, name) != kNodeIds.end() ||
+           std::ranges::find(kElementIds, name) != kElementIds.end() ||
+           std::ranges::find(kOthers, name) != std::end(kOthers);
+}
+
+Merged merge(const std::vector<Leaf>& leaves, bool own_format, NeutralModel* model) {
+    Merged merged;
+    merge_nodes(leaves, merged, model);
+    auto ids = ids_of(leaves, false, kElementIds);
+    if (ids) {
+        std::unordered_set<std::int64_t> seen;
+        for (const auto& leaf : *ids) {
+            for (const std::int64_t id : leaf) {
+                if (ids && !seen.insert(id).second) ids.reset();
+                if (!ids) break;
+            }
+            if (!ids) break;
+        }
+    }
+    std::map<std::string, std::uint64_t> skipped;
+    vtkNew<vtkIdList> points;
+    std::int64_t cell_number = 0;
+    for (std::size_t l = 0; l < leaves.size(); ++l) {
+        vtkDataSet* const data = leaves[l].data;
+        std::vector<std::uint32_t>& places = merged.element_of.emplace_back();
+        const bool turns_wedges = own_format || are_wedges_turned(data);
+        vtkUnsignedCharArray* const ghosts = data->GetCellGhostArray();
+        if (model != nullptr) model->parts.push_back(part_name(leaves[l].name, l, leaves.size()));
+        for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
+            ++cell_number;
+            const bool ghost =
+                ghosts != nullptr && c < ghosts->GetNumberOfTuples() && ghosts->GetValue(c) != 0;
+            data->GetCellPoints(c, points);
+            const int type = data->GetCellType(c);
+            const vtkIdType count = points->GetNumberOfIds();
+            const auto shape = ghost ? std::nullopt : shape_of(type, count, turns_wedges);
+            if (!shape) {
+                const char* const name = vtkCellTypes::GetClassNameFromTypeId(type);
+                if (!ghost) ++skipped[fmt::format("{} of {} points", name != nullptr ? name : "cell", count)];
+                places.push_back(kNowhere);
+                continue;
+            }
+            places.push_back(static_cast<std::uint32_t>(merged.elements++));
+            if (model == nullptr) continue;
+            model->types.push_back(shape->type);
+            model->element_parts.push_back(static_cast<std::uint32_t>(l));
+            model->element_ids.push_back(ids ? (*ids)[l][static_cast<std::size_t>(c)] : cell_number);
+            for (vtkIdType i = 0; i < count; ++i) {
+                const vtkIdType from =
+                    points->GetId(shape->order.empty() ? i : shape->order[static_cast<std::size_t>(i)]);
+                if (from < 0 || from >= data->GetNumberOfPoints())
+                    throw std::runtime_error("a cell names a point that the file does not have");
+                model->element_nodes.push_back(merged.node_of[l][static_cast<std::size_t>(from)]);
+            }
+        }
+    }
+    if (model != nullptr) model->skipped.assign(skipped.begin(), skipped.end());
+    return merged;
+}
+
+}  // namespace feelem::exchange

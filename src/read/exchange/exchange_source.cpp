@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read/exchange/exchange_source.hpp"
+
+#include "model/mesh_builder.hpp"
+#include "model/node_lookup.hpp"
+#include "read/element_lookup.hpp"
+#include "read/exchange/helper_process.hpp"
+#include "read/exchange/input_files.hpp"
+#include "read/exchange/neutral_form.hpp"
+#include "read/listed_source.hpp"
+#include "read/result_names.hpp"
+#include "read/side_markers.hpp"
+
+#include "feelem/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace feelem::exchange {
+namespace {
+
+constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+
+class ExchangeSource : public ListedSource {
+public:
+    ExchangeSource(
+        std::string format,
+        const Input& main,
+        const std::vector<std::string>& others,
+        const ReadContext& context,
+        Diagnostics& diagnostics
+    )
+        : ListedSource(main, diagnostics), format_(std::move(format)),
+          files_(main, others, context.includes) {
+        NeutralModel model = read_model(ask({"list"}), input().name());
+        set_mesh(make_mesh(model, diagnostics), context, "the file defines no nodes");
+        node_ids_ = std::move(model.node_ids);
+        element_ids_ = std::move(model.element_ids);
+        list(std::move(model));
+    }
+
+private:
+    std::string ask(std::vector<std::string> what) const {
+        what.insert(what.end(), {format_, files_.path()});
+        return ask_helper(what, input().name(), files_.bytes());
+    }
+
+    /// Meshers' own formats name boundaries by elements on the sides of others.
+    bool has_side_markers() const { return format_ == "med"; }
+
+    Mesh make_mesh(const NeutralModel& model, Diagnostics& diagnostics) const {
+        MeshBuilder builder(diagnostics);
+        builder.reserve_nodes(model.node_ids.size());
+        for (std::size_t i = 0; i < model.node_ids.size(); ++i) {
+            const double* const at = &model.coordinates[3 * i];
+            builder.add_node(NodeId{model.node_ids[i]}, {at[0], at[1], at[2]});
+        }
+        builder.seal_nodes();
+        SideMarkers sides;
+        if (has_side_markers()) {
+            each_element(model, [&](std::size_t e, std::span<const NodeId> nodes) {
+                sides.add_candidate(model.types[e], nodes);
+            });
+            each_element(model, [&](std::size_t e, std::span<const NodeId> nodes) {
+                sides.add_owner(model.types[e], nodes);
+            });
+        }
+        std::map<std::string, std::vector<NodeId>> side_nodes;
+        each_element(model, [&](std::size_t e, std::span<const NodeId> nodes) {
+            const ElementType type = model.types[e];
+            if (sides.is_side(type, nodes)) {
+                builder.skip_element(fmt::format("{} on the side of another element", element_row(type).name)
+                );
+                auto& set = side_nodes[model.parts[model.element_parts[e]]];
+                set.insert(set.end(), nodes.begin(), nodes.end());
+                return;
+            }
+            const PartIndex part = builder.part(model.parts[model.element_parts[e]]);
+            builder.add_element(ElementId{model.element_ids[e]}, type, nodes, part, [&] {
+                return input().name();
+            });
+        });
+        for (auto& [name, nodes] : side_nodes) {
+            std::ranges::sort(nodes);
+            nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+            builder.add_node_set(name, nodes);
+        }
+        for (const auto& [name, count] : model.skipped) builder.skip_element(name, count);
+        for (const auto& [name, nodes] : model.node_sets) {
+            std::vector<NodeId> ids;
+            for (const std::uint32_t node : nodes) {
+                if (node < model.node_ids.size()) ids.push_back(NodeId{model.node_ids[node]});
+            }
+            builder.add_node_set(name, ids);
+        }
+        constexpr std::pair<const char*, double> kUnits[]{
+            {"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}};
+        for (const auto& [name, metres] : kUnits) {
+            if (model.length_unit == name) builder.set_length_unit({name, metres});
+        }
+        return builder.finish();
+    }
+
+    template <class Use>
+    static void each_element(const NeutralModel& model, const Use& use) {
+        std::vector<NodeId> nodes;
+        std::size_t at = 0;
+        for (std::size_t e = 0; e < model.types.size(); ++e) {
+            nodes.clear();
+            for (std::size_t i = element_row(model.types[e]).node_count; i > 0; --i)
+                nodes.push_back(NodeId{model.node_ids[model.element_nodes[at++]]});
+            use(e, nodes);
+        }
+    }
+
+    void list(NeutralModel model) {
+        std::vector<ResultInfo> infos;
+        ResultNames names;
+        for (const NeutralResult& result : model.results) {
+            ResultInfo info;
+            info.solver_name = result.name;
+            info.step = result.step;
+            info.location = result.location;
+            places_.push_back(name_result(info, result));
+            names.make_unique(info);
+            infos.push_back(std::move(info));
+        }
+        set_contents(std::move(model.steps), std::move(infos));
+        listed_ = std::move(model.results);
+    }
+
+    static std::vector<std::uint32_t> name_result(ResultInfo& info, const NeutralResult& result) {
+        info.name = common_name(result.name, result.components);
+        const std::vector<std::string>& names = result.component_names;
+        const bool tensor = names.size() == 6 && names[0].ends_with("XX") && names[4].ends_with("XZ");
+        auto places = name_components(info, result.components, tensor ? TensorOrder::Med : TensorOrder::Vtk);
+        if (tensor || names.size() != result.components || names.size() == 1) return places;
+        const bool vector = names.size() >= 3 && names[0].ends_with('X') && names[1].ends_with('Y') &&
+                            names[2].ends_with('Z') && names[0].size() == 2;
+        if (vector) info.name = common_name(result.name, 3);
+        info.shape = vector ? Shape::Vector : Shape::Other;
+        info.components.clear();
+        std::iota(places.begin(), places.end(), 0U);
+        for (std::size_t c = 0; c < names.size(); ++c) {
+            constexpr const char* kAxes[]{"x", "y", "z"};
+            std::string name = vector && c < 3 ? kAxes[c] : lower_name(names[c]);
+            if (std::ranges::find(info.components, name) != info.components.end())
+                name += fmt::format("_{}", c + 1);
+            info.components.push_back(std::move(name));
+        }
+        return places;
+    }
+
+    LoadedResult read(std::size_t index) override {
+        const std::string answer = ask({write_request(listed_[index])});
+        LoadedResult loaded;
+        const ResultInfo& info = results()[index];
+        loaded.result.info = info;
+        const bool nodal = info.location == Location::Nodal;
+        const std::size_t width = info.components.size();
+        const std::size_t rows = nodal ? node_ids_.size() : element_ids_.size();
+        if (answer[0] != static_cast<char>(Answer::Values) ||
+            answer.size() != 1 + rows * width * sizeof(float)) {
+            throw Error(
+                Code::MeshesDiffer,
+                input().name(),
+                fmt::format(
+                    "{} has another number of nodes or elements at this step than the mesh", info.solver_name
+                )
+            );
+        }
+        loaded.result.values.assign((nodal ? mesh().node_count() : mesh().element_count()) * width, kMissing);
+        const NodeLookup node_of(mesh().node_ids);
+        const std::optional<ElementLookup> element_of =
+            nodal ? std::nullopt : std::optional<ElementLookup>(mesh());
+        std::vector<float> row(width);
+        for (std::size_t i = 0; i < rows; ++i) {
+            std::memcpy(row.data(), answer.data() + 1 + i * width * sizeof(float), width * sizeof(float));
+            const std::size_t to =
+                nodal ? raw(node_of(NodeId{node_ids_[i]})) : raw((*element_of)(ElementId{element_ids_[i]}));
+            if (to >= (nodal ? mesh().node_count() : mesh().element_count())) continue;
+            for (std::size_t c = 0; c < width; ++c) {
+                const float value = row[places_[index][c]];
+                if (std::isinf(value)) ++loaded.without_number;
+                loaded.result.values[to * width + c] = std::isfinite(value) ? value : kMissing;
+            }
+        }
+        return loaded;
+    }
+
+    std::string format_;
+    InputFiles files_;
+    std::vector<std::int64_t> node_ids_, element_ids_;  ///< In the order of the helper's values.
+    std::vector<NeutralResult> listed_;
+    std::vector<std::vector<std::uint32_t>> places_;
+};
+
+}  // namespace
+
+std::unique_ptr<ModelSource> open_exchange(
+    const std::string& format,
+    const Input& input,
+    const std::vector<std::string>& others,
+    const ReadContext& context,
+    Diagnostics& diagnostics
+) {
+    return std::make_unique<ExchangeSource>(format, input, others, context, diagnostics);
+}
+
+}  // namespace feelem::exchange

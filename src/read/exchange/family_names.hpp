@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that a main file names, or that belong to it by their names.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace feelem::exchange {
+
+/// One <DataSet> of a .pvd collection.
+struct PvdEntry {
+    double time = 0;
+    std::string file;
+};
+/// In file order. Throws Error(BadStructure) when there is none.
+std::vector<PvdEntry> read_pvd(std::string_view text, const std::string& name);
+
+/// Values of an attribute in the tags of that name: the pieces of .pvtu (Source) and .vtm (file).
+std::vector<std::string> attribute_values(
+    std::string_view text, std::string_view tag, std::string_view attribute
+);
+
+/// File names of an EnSight case, with * still in them where a series is meant.
+std::vector<std::string> case_files(std::string_view text);
+
+}  // namespace feelem::exchange
