@@ -25,7 +25,7 @@ PUBLIC_HEADER_OWNER = {
     "scene": "scene", "convert": "convert", "probe": "convert",
 }
 ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli",
-           "vtk": "apps/exchange", "hdf5.h": "apps/exchange"}
+           "vtk": "apps/exchange", "hdf5.h": "apps/exchange", "netcdf.h": "apps/exchange"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
 

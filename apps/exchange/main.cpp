@@ -38,7 +38,7 @@ std::uint64_t number_of(std::string_view word) {
 }
 
 void bound(std::uint64_t mebibytes, std::uint64_t seconds) {
-    const rlimit memory{mebibytes << 20, mebibytes << 20}, time{seconds, seconds}, core{0, 0};
+    const rlimit memory{mebibytes << 20, mebibytes << 20}, time{seconds, seconds + 5}, core{0, 0};
     setrlimit(RLIMIT_AS, &memory);
     setrlimit(RLIMIT_CPU, &time);
     setrlimit(RLIMIT_CORE, &core);

@@ -3,6 +3,7 @@
 
 #include "base/input.hpp"
 #include "read/exchange/family_names.hpp"
+#include "vtk/exodus_values.hpp"
 
 #include <vtkAlgorithm.h>
 #include <vtkCGNSReader.h>
@@ -156,6 +157,21 @@ private:
     std::vector<std::vector<std::string>> files_;
 };
 
+/// Of files whose values the Exodus library does not find, they are put in after it.
+class ExodusReader : public PipelineReader {
+public:
+    ExodusReader(vtkSmartPointer<vtkAlgorithm> reader, const std::string& path)
+        : PipelineReader(std::move(reader), false), values_(path) {}
+    std::vector<Leaf> read(std::size_t step) override {
+        std::vector<Leaf> leaves = PipelineReader::read(step);
+        values_.put_into(leaves, step);
+        return leaves;
+    }
+
+private:
+    ExodusValues values_;
+};
+
 std::unique_ptr<VtkReader> open_exodus(const std::string& path) {
     vtkNew<vtkExodusIIReader> reader;
     reader->SetFileName(path.c_str());
@@ -178,7 +194,7 @@ std::unique_ptr<VtkReader> open_exodus(const std::string& path) {
     }
     for (int i = 0; i < reader->GetNumberOfObjects(vtkExodusIIReader::ELEM_BLOCK); ++i)
         reader->SetObjectStatus(vtkExodusIIReader::ELEM_BLOCK, i, 1);
-    return std::make_unique<PipelineReader>(reader.Get(), false);
+    return std::make_unique<ExodusReader>(reader.Get(), path);
 }
 
 std::unique_ptr<VtkReader> open_ensight(const std::string& path) {

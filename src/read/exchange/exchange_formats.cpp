@@ -145,7 +145,7 @@ ReadFormat vtk_legacy_format() {
 }
 ReadFormat vtk_xml_format() {
     return {
-        {"vtu", "VTK XML files and their pieces", ".vtu .pvtu .vtp .vts .vtr .vti .vtm", true, true},
+        {"vtu", "VTK XML files and their pieces", ".vtu .pvtu .vtp", true, true},
         false,
         exchange::recognise_xml,
         [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
@@ -163,7 +163,7 @@ ReadFormat pvd_format() {
 }
 ReadFormat exodus_format() {
     return {
-        {"exodus", "Exodus II", ".exo .e .g .ex2 .exii", true, true},
+        {"exodus", "Exodus II", ".exo .e .g .ex2", true, true},
         false,
         exchange::recognise_exodus,
         [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
