@@ -57,10 +57,15 @@ TEST(OpenModel, says_what_to_do_with_formats_that_it_knows_but_does_not_read) {
     expect_advice("<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n", "meshio convert");
     expect_advice("TITLE = \"x\"\nVARIABLES = \"X\", \"Y\"\nZONE NODES = 3\n", "ParaView");
     expect_advice("#!TDV112", "ParaView");
+    expect_advice("\x89HDF\r\n\x1A\n", "HDF5");
 }
 
 TEST(OpenModel, real_strangers_are_refused_with_advice) {
-    for (const char* name : {"boiler_linear.xdmf", "boiler_linear_h5.xdmf", "boiler_linear_tecplot.dat"}) {
+    for (const char* name :
+         {"boiler_linear.xdmf",
+          "boiler_linear_h5.xdmf",
+          "boiler_linear_h5.h5",
+          "boiler_linear_tecplot.dat"}) {
         const auto file = test::corpus_file(std::string("converted/") + name);
         if (!file) GTEST_SKIP() << "the corpus is not here";
         EXPECT_EQ(code_of_opening({*file}), Code::UnsupportedFormat) << name;
