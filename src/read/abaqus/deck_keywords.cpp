@@ -285,15 +285,20 @@ bool starts_like_deck(std::string_view head) {
 
 std::optional<std::string_view> DataLines::next() {
     for (;;) {
+        const auto line = next_or_empty();
+        if (!line || !line->empty()) return line;
+    }
+}
+
+std::optional<std::string_view> DataLines::next_or_empty() {
+    for (;;) {
         while (!lines_ || lines_->offset() >= keyword_->data[range_ - 1].end) {
             if (range_ >= keyword_->data.size()) return {};
             const LineRange& range = keyword_->data[range_++];
             lines_.emplace(deck_->files[range.file], range.begin, range.end);
         }
         const auto line = lines_->next();
-        if (!line || is_comment(*line)) continue;
-        const std::string_view text = trim(*line);
-        if (!text.empty()) return text;
+        if (line && !is_comment(*line)) return trim(*line);
     }
 }
 

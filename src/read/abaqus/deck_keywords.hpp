@@ -70,6 +70,8 @@ public:
     DataLines(const Deck& deck, const Keyword& keyword) : deck_(&deck), keyword_(&keyword) {}
 
     std::optional<std::string_view> next();
+    /// The next line even if it is empty, where an empty line stands for values that are left out.
+    std::optional<std::string_view> next_or_empty();
     /// Of the line that next() gave.
     std::string where() const;
     /// Tells the system that the lines so far are not needed for now.

@@ -2,6 +2,7 @@
 #include "read/abaqus/deck_model.hpp"
 
 #include "read/abaqus/deck_elements.hpp"
+#include "read/abaqus/deck_generate.hpp"
 
 #include "feelem/error.hpp"
 
@@ -15,13 +16,6 @@
 namespace feelem::abaqus {
 namespace {
 
-SystemKind system_kind(const std::string& letter) {
-    const std::string word = folded(letter);
-    if (word.starts_with('C')) return SystemKind::Cylindrical;
-    if (word.starts_with('S')) return SystemKind::Spherical;
-    return SystemKind::Rectangular;
-}
-
 /// Goes through the keywords; knows in which scope it is.
 class ModelReader {
 public:
@@ -32,6 +26,9 @@ public:
             const Keyword& keyword = deck_.keywords[i];
             if (!enter_or_leave(keyword)) use(keyword, i);
         }
+        for (Scope* scope : {&model_.model, &model_.assembly}) scope->index = {};
+        for (auto& [name, part] : model_.parts) part.index = {};
+        for (Instance& instance : model_.instances) instance.own.index = {};
         return std::move(model_);
     }
 
@@ -110,12 +107,19 @@ private:
             elements(keyword, index);
         } else if (name == "NSET") {
             read_set(keyword, scope().node_sets, keyword.value("NSET"));
+            if (keyword.has("ELSET")) {
+                Generation job = generation(keyword, index);
+                add_nodes_of_elements(job);
+            }
         } else if (name == "ELSET") {
             read_set(keyword, scope().element_sets, keyword.value("ELSET"));
         } else if (name == "SYSTEM") {
             read_system(keyword);
         } else if (name == "TRANSFORM") {
             read_transform(keyword);
+        } else if (is_generator(name)) {
+            Generation job = generation(keyword, index);
+            generate(job);
         } else if (name.ends_with("SECTION")) {
             if (keyword.has("ELSET")) scope().sections.push_back(keyword.value("ELSET"));
         } else if (name != "USERELEMENT") {
@@ -150,14 +154,21 @@ private:
     void elements(const Keyword& keyword, std::size_t index) {
         ElementRun run = read_elements(deck_, keyword, diagnostics_);
         run.keyword = index;
-        auto& skipped = place_ == Place::Part ? model_.skipped_in_parts[part_] : model_.skipped;
-        if (run.type.use == Use::Skip) skipped[run.type_name] += run.ids.size();
+        if (run.type.use == Use::Skip) skipped()[run.type_name] += run.ids.size();
         Scope& into = scope();
         if (!run.set.empty()) {
             DeckSet& set = into.element_sets.get(run.set);
             for (const Label id : run.ids) add_label(set, id);
         }
-        if (run.type.use == Use::Shape) into.runs.push_back(std::move(run));
+        (run.type.use == Use::Shape ? into.runs : into.others).push_back(std::move(run));
+    }
+
+    std::map<std::string, std::uint64_t>& skipped() {
+        return place_ == Place::Part ? model_.skipped_in_parts[part_] : model_.skipped;
+    }
+
+    Generation generation(const Keyword& keyword, std::size_t index) {
+        return {deck_, keyword, index, scope(), system_, skipped(), budget_, diagnostics_};
     }
 
     void read_set(const Keyword& keyword, SetTable& table, const std::string& name) {
@@ -165,8 +176,7 @@ private:
         set.internal = set.internal || keyword.has("INTERNAL");
         const std::string instance = folded(keyword.value("INSTANCE"));
         const bool generate = keyword.has("GENERATE");
-        if (keyword.name == "NSET" && keyword.has("ELSET"))
-            report(keyword, "*NSET, ELSET= is not carried out: the set has only what it lists");
+        set.unsorted = set.unsorted || keyword.has("UNSORTED");
         DataLines lines(deck_, keyword);
         while (auto line = lines.next()) {
             if (generate) {
@@ -243,10 +253,13 @@ private:
     Place place_ = Place::Model;
     std::string part_;
     Placement system_;
+    GenerationBudget budget_;
 };
 
-SetPiece& piece_of(DeckSet& set, const std::string& instance) {
-    if (set.pieces.empty() || set.pieces.back().instance != instance)
+/// The last piece, or a new one: sets of a piece stand behind its ranges.
+SetPiece& piece_of(DeckSet& set, const std::string& instance, bool for_range) {
+    if (set.pieces.empty() || set.pieces.back().instance != instance ||
+        (for_range && set.unsorted && !set.pieces.back().sets.empty()))
         set.pieces.push_back({instance, {}, {}});
     return set.pieces.back();
 }
@@ -255,7 +268,7 @@ SetPiece& piece_of(DeckSet& set, const std::string& instance) {
 
 DeckSet& SetTable::get(const std::string& name) {
     const auto [found, is_new] = by_name_.try_emplace(folded(name), sets_.size());
-    if (is_new) sets_.push_back({name, false, {}});
+    if (is_new) sets_.push_back({name, false, false, {}});
     return sets_[found->second];
 }
 
@@ -269,7 +282,7 @@ void add_label(DeckSet& set, Label label) {
 }
 
 void add_range(DeckSet& set, const std::string& instance, LabelRange range) {
-    std::vector<LabelRange>& ranges = piece_of(set, instance).ranges;
+    std::vector<LabelRange>& ranges = piece_of(set, instance, true).ranges;
     if (!ranges.empty()) {
         LabelRange& last = ranges.back();
         if (last.step == 1 && range.step == 1 && range.first == std::int64_t{last.last} + 1) {
@@ -281,7 +294,14 @@ void add_range(DeckSet& set, const std::string& instance, LabelRange range) {
 }
 
 void add_set(DeckSet& set, const std::string& instance, std::string folded_name) {
-    piece_of(set, instance).sets.push_back(std::move(folded_name));
+    piece_of(set, instance, false).sets.push_back(std::move(folded_name));
+}
+
+SystemKind system_kind(const std::string& letter) {
+    const std::string word = folded(letter);
+    if (word.starts_with('C')) return SystemKind::Cylindrical;
+    if (word.starts_with('S')) return SystemKind::Spherical;
+    return SystemKind::Rectangular;
 }
 
 DeckModel read_deck(const Deck& deck, Diagnostics& diagnostics) {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace feelem::abaqus {
@@ -23,7 +24,7 @@ struct LabelRange {
     Label first = 0, last = 0, step = 1;
 };
 
-/// Members of a set that are labels of one scope.
+/// Members of a set that are labels of one scope: `ranges` stand before `sets`.
 struct SetPiece {
     std::string instance;  ///< Folded name; empty: the scope of the set itself.
     std::vector<LabelRange> ranges;
@@ -33,6 +34,7 @@ struct SetPiece {
 struct DeckSet {
     std::string name;
     bool internal = false;  ///< Made by the pre-processor for itself: not shown.
+    bool unsorted = false;  ///< Its order is as given, for keywords that pair members of sets.
     std::vector<SetPiece> pieces;
 };
 
@@ -66,10 +68,23 @@ struct NodeTransform {
     LocalSystem system;
 };
 
+/// Where labels are; filled when a keyword first asks for one.
+struct ScopeIndex {
+    struct Row {
+        std::uint32_t run = 0, row = 0;
+        bool shown = true;  ///< In Scope::runs, else in Scope::others.
+    };
+    std::unordered_map<Label, std::uint32_t> nodes;  ///< -> Scope::places.
+    std::unordered_map<Label, Row> elements;
+    std::size_t nodes_seen = 0, runs_seen = 0, others_seen = 0;
+};
+
 struct Scope {
     std::vector<Label> node_ids;  ///< As they come: neither sorted nor unique.
     std::vector<Point3> places;
     std::vector<ElementRun> runs;
+    std::vector<ElementRun> others;  ///< Without a shape: ids alone.
+    ScopeIndex index;
     SetTable node_sets, element_sets;
     std::vector<std::string> sections;  ///< Names of the element sets that sections are given to, as written.
     std::vector<NodeTransform> transforms;
@@ -92,6 +107,9 @@ struct DeckModel {
     std::map<std::string, std::uint64_t> skipped;  ///< Rows by type name, of every scope but parts.
     std::map<std::string, std::map<std::string, std::uint64_t>> skipped_in_parts;
 };
+
+/// By the first letter: C, S, else rectangular.
+SystemKind system_kind(const std::string& letter);
 
 /// Reads the lines of all keywords. Throws Error(BadNumber) on a line that is none.
 DeckModel read_deck(const Deck& deck, Diagnostics& diagnostics);
