@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <random>
@@ -193,6 +194,18 @@ TEST(Frd, either_byte_order_is_read) {
         EXPECT_EQ(opened->model->mesh().parts[0].name, "material 7");
         EXPECT_THAT(opened->load("temperature").values, ElementsAre(10, 20, 30, 40));
     }
+}
+
+TEST(Frd, a_further_block_does_not_change_the_byte_order_of_those_before_it) {
+    std::string bytes = test::binary_frd(false);
+    const std::size_t head = bytes.find("    2C");
+    std::string nodes = bytes.substr(head, bytes.find("    3C") - head);
+    const auto first_id = nodes.begin() + static_cast<std::ptrdiff_t>(nodes.find('\n') + 1);
+    std::reverse(first_id, first_id + 4);
+    bytes.insert(bytes.find(" 9999"), nodes);
+    const auto opened = open_text(bytes);
+    EXPECT_EQ(opened->model->mesh().coordinates[3], (Point3{0, 0, 1}));
+    EXPECT_THAT(opened->load("temperature").values, ElementsAre(10, 20, 30, 40));
 }
 
 TEST(Frd, load_factors_are_buckling_steps) {

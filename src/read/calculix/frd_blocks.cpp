@@ -165,10 +165,10 @@ private:
         if (is_text(here.coding)) {
             whole = skip_text(here);
         } else if (what == "nodes") {
-            binary_ = true;
-            layout_.swap = is_swapped(here.first);
+            find_byte_order(here);
             whole = skip_bytes(here, here.coding == Coding::Float ? 16 : 28);
         } else {
+            find_byte_order(here);
             whole = skip_binary_elements(here);
         }
         if (!whole) {
@@ -190,12 +190,14 @@ private:
         body = here;
     }
 
-    /// The file does not say its byte order: the one in which the first node's number is smaller.
-    bool is_swapped(std::size_t at) const {
-        if (text_.size() - at < 4) return false;
+    /// The file does not say its byte order: the one in which the first id of its first binary block is
+    /// smaller. One order for all blocks: each is looked over here and read later.
+    void find_byte_order(const Body& body) {
+        if (binary_ || body.count == 0 || text_.size() - body.first < 4) return;
+        binary_ = true;
         std::uint32_t id = 0;
-        std::memcpy(&id, text_.data() + at, sizeof id);
-        return __builtin_bswap32(id) < id;
+        std::memcpy(&id, text_.data() + body.first, sizeof id);
+        layout_.swap = __builtin_bswap32(id) < id;
     }
 
     std::uint32_t word_at(std::size_t at) const {
@@ -309,7 +311,7 @@ private:
         if (is_text(block.body.coding)) {
             whole = skip_text(block.body);
         } else {
-            binary_ = true;
+            find_byte_order(block.body);
             const std::size_t number = block.body.coding == Coding::Float ? 4 : 8;
             whole = skip_bytes(block.body, 4 + number * block.components.size());
         }
