@@ -21,7 +21,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 namespace feelem::exchange {
@@ -159,6 +158,19 @@ private:
         return places;
     }
 
+    /// Where the helper's rows stand in the mesh.
+    std::vector<std::uint32_t> rows_of_mesh(bool nodal) const {
+        std::vector<std::uint32_t> rows;
+        if (nodal) {
+            const NodeLookup node_of(mesh().node_ids);
+            for (const std::int64_t id : node_ids_) rows.push_back(raw(node_of(NodeId{id})));
+        } else {
+            const ElementLookup element_of(mesh());
+            for (const std::int64_t id : element_ids_) rows.push_back(raw(element_of(ElementId{id})));
+        }
+        return rows;
+    }
+
     LoadedResult read(std::size_t index) override {
         const std::string answer = ask({write_request(listed_[index])});
         LoadedResult loaded;
@@ -178,14 +190,11 @@ private:
             );
         }
         loaded.result.values.assign((nodal ? mesh().node_count() : mesh().element_count()) * width, kMissing);
-        const NodeLookup node_of(mesh().node_ids);
-        const std::optional<ElementLookup> element_of =
-            nodal ? std::nullopt : std::optional<ElementLookup>(mesh());
+        const std::vector<std::uint32_t> places = rows_of_mesh(nodal);
         std::vector<float> row(width);
         for (std::size_t i = 0; i < rows; ++i) {
             std::memcpy(row.data(), answer.data() + 1 + i * width * sizeof(float), width * sizeof(float));
-            const std::size_t to =
-                nodal ? raw(node_of(NodeId{node_ids_[i]})) : raw((*element_of)(ElementId{element_ids_[i]}));
+            const std::size_t to = places[i];
             if (to >= (nodal ? mesh().node_count() : mesh().element_count())) continue;
             for (std::size_t c = 0; c < width; ++c) {
                 const float value = row[places_[index][c]];
