@@ -31,10 +31,12 @@ std::unique_ptr<ModelSource> open_files(std::vector<std::string> paths, Diagnost
 
 using StepName = std::tuple<int, int, std::string, Complex>;
 
+/// Those at grid points.
 std::map<StepName, std::size_t> results_by_step(const ModelSource& model) {
     std::map<StepName, std::size_t> out;
     for (std::size_t i = 0; i < model.results().size(); ++i) {
         const ResultInfo& info = model.results()[i];
+        if (info.location != Location::Nodal) continue;
         const Step& step = model.steps()[info.step];
         out.emplace(StepName{step.step, step.substep, info.name, info.complex}, i);
     }

@@ -2,6 +2,7 @@
 #include "read/nastran/f06_pages.hpp"
 
 #include "base/number.hpp"
+#include "read/nastran/f06_elements.hpp"
 #include "read/nastran/f06_rows.hpp"
 #include "read/text_lines.hpp"
 
@@ -63,6 +64,7 @@ private:
     void start_page(std::string_view line) {
         line_of_page_ = 0;
         head_ = {};
+        elements_.reset();
         node_ = 0;
         eigenvalue_.reset();
         cycles_.reset();
@@ -84,6 +86,11 @@ private:
         if (line_of_page_ == 1) texts_.subtitle = trim(line.substr(std::min<std::size_t>(line.size(), 1)));
         if (line_of_page_ == 2) read_label(line);
         if (line_of_page_ <= 2 || line.size() < 8) return;
+        if (elements_ && !is_spaced(line)) {
+            read_elements(line);
+            return;
+        }
+        if (elements_) end_rows(lines_.line_start());
         if (in_rows_ || has_columns_) {
             if (read_row(line)) return;
             if (in_rows_ && !trim(line).empty()) end_rows(lines_.line_start());
@@ -141,8 +148,37 @@ private:
         value_ = step_.value;
     }
 
+    /// Lines under the title of a table of elements: those of its columns, then rows.
+    void read_elements(std::string_view line) {
+        const ElementLine row = element_line(line, *elements_);
+        if (!in_rows_) {
+            if (!row.is_row) {
+                read_element_columns(line, *elements_);
+                return;
+            }
+            if (printed_layout(*elements_) == nullptr) {
+                report_unused(elements_->title + (elements_->by_step ? ", sorted by element," : ""));
+                elements_.reset();
+                return;
+            }
+            in_rows_ = true;
+            first_row_ = lines_.line_start();
+            find_mode(row.element, elements_->title);
+        }
+        if (row.element != 0) last_id_ = row.element;
+    }
+
+    void report_unused(const std::string& title) {
+        diagnostics_.add(
+            Code::UnknownBlock, [&] { return lines_.where(); }, fmt::format("{} is not used", title)
+        );
+    }
+
     void read_title(const std::string& title) {
         has_columns_ = false;
+        elements_ = element_head(title);
+        if (elements_) head_ = {};
+        if (elements_) return;
         if (title.find("REAL EIGENVALUES") != std::string::npos) {
             in_eigenvalues_ = true;
             return;
@@ -159,13 +195,10 @@ private:
         }
         head_ = {};
         const bool has_values =
-            title.find("STRESSES IN") != std::string::npos || title.find("STRAINS IN") != std::string::npos ||
+            title.find("STRESS") != std::string::npos || title.find("STRAIN") != std::string::npos ||
             title.find("FORCES IN") != std::string::npos || title.find("GRID POINT") != std::string::npos ||
             title.find("ENERGIES") != std::string::npos || solution_set;
-        if (has_values)
-            diagnostics_.add(
-                Code::UnknownBlock, [&] { return lines_.where(); }, fmt::format("{} is not used", title)
-            );
+        if (has_values) report_unused(title);
     }
 
     static std::optional<std::int64_t> mode_number(std::string_view rest) {
@@ -212,7 +245,7 @@ private:
         if (!in_rows_) {
             in_rows_ = true;
             first_row_ = lines_.line_start();
-            find_mode(*id);
+            find_mode(*id, std::string(head_.kind->title));
         }
         last_id_ = *id;
         return true;
@@ -226,13 +259,14 @@ private:
         tables_.at(head_, step_, value_, texts_).rows.push_back({lines_.line_start(), last, node_, false});
     }
 
-    /// The mode of a page that tells its eigenvalue: equal ones come one after the other.
-    void find_mode(std::int64_t first_id) {
+    /// The mode of a page that tells its eigenvalue: equal ones come one after the other. `first_id` is 0
+    /// where the page goes on with the last page's element.
+    void find_mode(std::int64_t first_id, const std::string& title) {
         if (!eigenvalue_) return;
         step_.kind = buckling_ ? StepKind::Buckling : StepKind::Mode;
-        Sequence& sequence = sequences_[{step_.subcase, head_.kind->title}];
-        const bool goes_on =
-            sequence.mode > 0 && sequence.eigenvalue == *eigenvalue_ && first_id > sequence.last_id;
+        Sequence& sequence = sequences_[{step_.subcase, title}];
+        const bool goes_on = sequence.mode > 0 && sequence.eigenvalue == *eigenvalue_ &&
+                             (first_id == 0 || first_id > sequence.last_id);
         if (number_) {
             sequence.mode = *number_;
         } else if (!goes_on) {
@@ -255,7 +289,14 @@ private:
     /// The table ends before `last`.
     void end_rows(std::size_t last) {
         if (in_rows_) {
-            tables_.at(head_, step_, value_, texts_).rows.push_back({first_row_, last, 0, packed_});
+            const PrintedRows rows{first_row_, last, 0, packed_};
+            if (elements_) {
+                const char* table = elements_->kind.strain ? "STRAINS" : "STRESSES";
+                const PrintedElements head{table, step_, elements_->kind, printed_layout(*elements_), {}};
+                tables_.elements_at(head, value_, texts_).rows.push_back(rows);
+            } else {
+                tables_.at(head_, step_, value_, texts_).rows.push_back(rows);
+            }
             if (open_sequence_ != nullptr) open_sequence_->last_id = last_id_;
         }
         open_sequence_ = nullptr;
@@ -292,13 +333,14 @@ private:
     TextLines lines_;
     PrintedTables tables_;
     PrintedTables::Head head_;
+    std::optional<ElementHead> elements_;  ///< The table of elements that the page is in.
     op2::StepKey step_{1, StepKind::Static, 0, 0};
     double value_ = 0;
     op2::Texts texts_;
     std::int64_t node_ = 0;
     std::optional<double> eigenvalue_, cycles_;
     std::optional<std::int64_t> number_;
-    std::map<std::pair<std::int32_t, std::string_view>, Sequence> sequences_;
+    std::map<std::pair<std::int32_t, std::string>, Sequence> sequences_;
     Sequence* open_sequence_ = nullptr;
     std::vector<std::pair<std::int64_t, double>> eigenvalues_;
     std::size_t line_of_page_ = 0;

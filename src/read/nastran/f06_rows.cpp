@@ -33,6 +33,13 @@ bool is_page_head(std::string_view line) {
            line.find("PAGE ") != std::string_view::npos;
 }
 
+bool is_spaced(std::string_view line) {
+    const std::size_t at = line.find_first_not_of(' ', 1);
+    if (at >= line.size() || line.size() - at < 3) return false;
+    const auto is_letter = [](char c) { return c >= 'A' && c <= 'Z'; };
+    return is_letter(line[at]) && line[at + 1] == ' ' && is_letter(line[at + 2]);
+}
+
 std::string spaced_title(std::string_view line) {
     std::string title;
     std::size_t letters = 0, last_size = 0, last_end = 0;

@@ -16,6 +16,9 @@ bool is_page_head(std::string_view line);
 /// "D I S P L A C E M E N T   V E C T O R" as "DISPLACEMENT VECTOR"; empty when the line is not spaced so.
 std::string spaced_title(std::string_view line);
 
+/// Whether a line may be a spaced title: quick, for lines that are none as a rule.
+bool is_spaced(std::string_view line);
+
 /// A row's start: its carriage control off, then a number and the letter of its kind.
 struct RowStart {
     std::string_view number, rest;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/nastran/nastran_f06.hpp"
 
+#include "read/nastran/f06_elements.hpp"
 #include "read/nastran/f06_pages.hpp"
 #include "read/nastran/f06_rows.hpp"
 #include "read/nastran/printed_tables.hpp"
@@ -24,7 +25,12 @@ std::unique_ptr<ModelSource> open_f06(
 ) {
     const Input& input = inputs.front();
     return nastran::open_printed(
-        input, nastran::find_pages(input, diagnostics), nastran::read_f06_row, context, diagnostics
+        input,
+        nastran::find_pages(input, diagnostics),
+        nastran::read_f06_row,
+        nastran::read_f06_elements,
+        context,
+        diagnostics
     );
 }
 

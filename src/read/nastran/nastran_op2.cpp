@@ -103,19 +103,7 @@ private:
         result.row_owner = std::move(values.row_owner);
         result.row_node = std::move(values.row_node);
         if (is_reported(listed)) return;
-        report(
-            Code::ResultWithoutNode,
-            block.table,
-            "lists elements or corners that the mesh does not have",
-            values.without_element
-        );
-        report(
-            Code::CoordinateSystem,
-            block.table,
-            "has solids whose tensor is in a system of its own: only its invariant is used",
-            values.other_system
-        );
-        report_missing(block.table, values.without_number);
+        report_values(values, block.table, input_.name(), diagnostics_);
     }
 
     bool is_reported(const Listed& listed) const {

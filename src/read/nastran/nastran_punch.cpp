@@ -2,7 +2,9 @@
 #include "read/nastran/nastran_punch.hpp"
 
 #include "base/number.hpp"
+#include "read/nastran/element_names.hpp"
 #include "read/nastran/printed_tables.hpp"
+#include "read/nastran/punch_elements.hpp"
 #include "read/text_lines.hpp"
 
 #include <fmt/format.h>
@@ -19,9 +21,6 @@ namespace feelem {
 namespace {
 
 using namespace nastran;
-
-constexpr std::size_t kPunchField = 18;
-constexpr std::size_t kPunchData = 72;  ///< Columns behind number the lines.
 
 constexpr PrintedKind kPunchKinds[]{
     {"DISPLACEMENTS", "displacement", "rotation", "temperature"},
@@ -112,6 +111,8 @@ private:
             key_ = {};
             key_.subcase = 1;
             head_ = {};
+            elements_.reset();
+            unused_.clear();
             node_ = 0;
         } else if (line.starts_with("$SUBTITLE=")) {
             texts_.subtitle = text_of("$SUBTITLE=");
@@ -138,7 +139,7 @@ private:
             value_ = std::sqrt(std::abs(*eigenvalue)) / (2 * std::numbers::pi);
             // Steps of modes are told apart by their number.
             key_.value = 0;
-            if (head_.kind == nullptr) head_.kind = &kPunchKinds[1];
+            if (head_.kind == nullptr && unused_.empty()) head_.kind = &kPunchKinds[1];
         } else if (const auto time = number_after(line, "$TIME =")) {
             set_value(StepKind::Time, *time);
         } else if (const auto frequency = number_after(line, "$FREQUENCY =")) {
@@ -167,19 +168,29 @@ private:
             unused_.clear();
             return;
         }
-        if (line.starts_with("ELEMENT TYPE") || line.starts_with("ELEMENT ID")) return;
+        if (line.starts_with("ELEMENT TYPE")) {
+            if (elements_) read_element_type(line, *elements_);
+            return;
+        }
+        if (line.starts_with("ELEMENT ID")) {
+            by_element_ = true;
+            return;
+        }
         head_.kind = nullptr;
+        elements_.reset();
         unused_ = trim(line);
+        by_element_ = false;
+        const bool strain = unused_ == "ELEMENT STRAINS";
+        if (strain || unused_ == "ELEMENT STRESSES") elements_ = PunchedElements{strain, 0, {}};
     }
 
     /// Rows that end before `last`.
     void end_rows(std::size_t last) {
         if (!std::exchange(in_rows_, false)) return;
+        if (head_.kind == nullptr && end_elements(last)) return;
         if (head_.kind == nullptr) {
             diagnostics_.add(
-                Code::UnknownBlock,
-                [&] { return input_.where_line(first_row_); },
-                fmt::format("{} are not used", unused_.empty() ? "rows without a heading" : unused_)
+                Code::UnknownBlock, [&] { return input_.where_line(first_row_); }, unused_text()
             );
             return;
         }
@@ -196,11 +207,34 @@ private:
         }
     }
 
+    std::string unused_text() const {
+        if (unused_.empty()) return "rows without a heading are not used";
+        std::string text = unused_;
+        if (elements_) text += fmt::format(" of {}", op2::element_name(elements_->type));
+        if (head_.numbers != PrintedNumbers::Real) text += ", complex,";
+        if (by_element_) text += ", sorted by element,";
+        return text + " are not used";
+    }
+
+    /// Whether the rows are of elements that Feelem reads.
+    bool end_elements(std::size_t last) {
+        if (!elements_ || by_element_ || head_.numbers != PrintedNumbers::Real) return false;
+        const op2::ElementLayout* layout = punched_layout(input_.text(), first_row_, last, elements_->type);
+        if (layout == nullptr) return false;
+        const auto kind = punched_kind(*elements_, *layout);
+        if (!kind) return false;
+        const PrintedElements table{unused_, key_, *kind, layout, {}};
+        tables_.elements_at(table, value_, texts_).rows.push_back({first_row_, last, 0, false});
+        return true;
+    }
+
     const Input& input_;
     Diagnostics& diagnostics_;
     TextLines lines_;
     PrintedTables tables_;
     PrintedTables::Head head_;
+    std::optional<PunchedElements> elements_;
+    bool by_element_ = false;  ///< Rows are times, a table is an element.
     op2::StepKey key_{1, StepKind::Static, 0, 0};
     double value_ = 0;
     op2::Texts texts_;
@@ -223,7 +257,14 @@ std::unique_ptr<ModelSource> open_punch(
     std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics
 ) {
     const Input& input = inputs.front();
-    return open_printed(input, PunchScanner(input, diagnostics).scan(), read_punch_row, context, diagnostics);
+    return open_printed(
+        input,
+        PunchScanner(input, diagnostics).scan(),
+        read_punch_row,
+        read_punch_elements,
+        context,
+        diagnostics
+    );
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/nastran/op2_contents.hpp"
 
-#include "base/letter_case.hpp"
 #include "read/nastran/op2_steps.hpp"
 
 #include <fmt/format.h>
@@ -46,7 +45,7 @@ public:
             const auto kind = nodal_kind(block.ident);
             if (kind) list_nodal(block, *kind);
         }
-        list_elements();
+        for (const ElementResult& result : elements_.finish()) list_element(result);
         return std::move(contents_);
     }
 
@@ -175,55 +174,8 @@ private:
         if (contents_.title.empty()) contents_.title = texts.title;
         steps_.add(step, value_of(ident, step), texts);
         constexpr int kMagnitudeAndPhase = 3;
-        const ElementLayout* layout = element_layout(ident);
-        for (const ElementLayout* one : {layout, ends_layout(*layout)}) {
-            if (one == nullptr) continue;
-            const std::tuple key(table.name, step, ident.stress_bits, one->shape);
-            ElementGroup& group = groups_[key];
-            group.kind = *stress_kind(ident);
-            group.polar = ident.format == kMagnitudeAndPhase;
-            group.blocks.push_back({one, record});
-        }
-    }
-
-    /// Shells that give their centres alone join those that give corners, where a step has both.
-    void list_elements() {
-        for (auto& [key, group] : groups_) {
-            if (std::get<RowShape>(key) != RowShape::ShellCentre) continue;
-            auto with_corners = key;
-            std::get<RowShape>(with_corners) = RowShape::ShellCorner;
-            const auto found = groups_.find(with_corners);
-            if (found == groups_.end()) continue;
-            std::vector<ElementBlockRef>& blocks = found->second.blocks;
-            blocks.insert(blocks.end(), group.blocks.begin(), group.blocks.end());
-            group.blocks.clear();
-        }
-        for (const auto& [key, group] : groups_) {
-            if (group.blocks.empty()) continue;
-            const RowShape shape = std::get<RowShape>(key);
-            const bool has_two =
-                shape != RowShape::Solid && shape != RowShape::Bar && shape != RowShape::BarEnds;
-            ElementResult result{
-                std::get<StepKey>(key),
-                quantity_of(shape),
-                group.kind,
-                group.polar,
-                0,
-                std::get<std::string>(key),
-                group.blocks};
-            for (result.fibre = 0; result.fibre < (has_two ? 2 : 1); ++result.fibre) list_element(result);
-        }
-    }
-
-    static Quantity quantity_of(RowShape shape) {
-        switch (shape) {
-        case RowShape::Solid: return Quantity::SolidCorner;
-        case RowShape::SolidComplex: return Quantity::SolidComplex;
-        case RowShape::ShellCorner: return Quantity::ShellCorner;
-        case RowShape::ShellCentre: return Quantity::ShellCentre;
-        case RowShape::BarEnds: return Quantity::BarEnds;
-        default: return Quantity::Axial;
-        }
+        const bool polar = ident.format == kMagnitudeAndPhase;
+        elements_.add({table.name, step, *stress_kind(ident), polar}, *element_layout(ident), record);
     }
 
     void list_element(const ElementResult& result) {
@@ -232,7 +184,7 @@ private:
         listed.block = contents_.elements.size();
         listed.info = element_info(result);
         listed.info.step = steps_.index_of(result.step);
-        listed.info.name = unique_name(listed.info, listed.info.name);
+        listed.info.name = names_.unique(listed.info, listed.info.name);
         contents_.elements.push_back(result);
         contents_.results.push_back(std::move(listed));
     }
@@ -273,7 +225,7 @@ private:
         }
         info.components.emplace_back("mean_pressure");
         info.components.emplace_back(block.ident.stress_bits % 2 != 0 ? "von_mises" : "octahedral_shear");
-        info.name = unique_name(info, kind.name);
+        info.name = names_.unique(info, kind.name);
         contents_.results.push_back(std::move(listed));
     }
 
@@ -295,23 +247,8 @@ private:
             info.complex = part == 0 ? (polar ? Complex::Amplitude : Complex::Real)
                                      : (polar ? Complex::Phase : Complex::Imaginary);
         }
-        info.name = unique_name(info, name);
+        info.name = names_.unique(info, name);
         contents_.results.push_back(std::move(listed));
-    }
-
-    /// The same again in one step (another frame, another order) is known by its table.
-    std::string unique_name(const ResultInfo& info, std::string_view name) {
-        const auto take = [&](const std::string& one) {
-            return names_.emplace(info.step, info.complex, info.layer, one).second;
-        };
-        if (take(std::string(name))) return std::string(name);
-        const std::string with_table = fmt::format("{}_{}", name, lower_case(info.solver_name));
-        if (take(with_table)) return with_table;
-        int& number = repeats_[{info.step, with_table}];
-        for (number = std::max(number, 1);;) {
-            std::string numbered = fmt::format("{}_{}", with_table, ++number);
-            if (take(numbered)) return numbered;
-        }
     }
 
     const Input& input_;
@@ -325,14 +262,8 @@ private:
         std::size_t longest = 0;  ///< Bytes of a node's rows.
     };
     std::map<std::tuple<std::int32_t, int, int, std::size_t>, NodeGroup> by_node_;
-    std::map<std::pair<std::uint32_t, std::string>, int> repeats_;
-    std::set<std::tuple<std::uint32_t, Complex, Layer, std::string>> names_;
-    struct ElementGroup {
-        StressKind kind;
-        bool polar = false;
-        std::vector<ElementBlockRef> blocks;
-    };
-    std::map<std::tuple<std::string, StepKey, int, RowShape>, ElementGroup> groups_;
+    ElementGroups elements_;
+    ResultNames names_;
     std::map<std::tuple<std::string, int, StepKey>, std::size_t> written_;
     std::vector<std::byte> scratch_;
 };

@@ -3,6 +3,8 @@
 
 #include "model/mesh_builder.hpp"
 #include "model/node_lookup.hpp"
+#include "read/element_lookup.hpp"
+#include "read/nastran/element_rows.hpp"
 #include "read/nastran/op2_steps.hpp"
 
 #include "feelem/error.hpp"
@@ -31,17 +33,22 @@ public:
         Input input,
         PrintedTables tables,
         ReadPrintedRow read_row,
+        ReadPrintedElements read_elements,
         const ReadContext& context,
         Diagnostics& diagnostics
     )
         : input_(std::move(input)), tables_(std::move(tables)), read_row_(read_row),
-          diagnostics_(diagnostics) {
-        if (tables_.tables.empty()) {
+          read_elements_(read_elements), diagnostics_(diagnostics) {
+        const bool has_elements = context.mesh != nullptr && !tables_.elements.empty();
+        if (tables_.tables.empty() && !has_elements) {
             throw Error(
                 Code::NoNodes,
                 input_.name(),
-                "the file holds no results at grid points. Ask for them in the case control: "
-                "DISPLACEMENT(PRINT,PUNCH) = ALL"
+                tables_.elements.empty()
+                    ? "the file holds no results at grid points or of elements. Ask for them in the case "
+                      "control: "
+                      "DISPLACEMENT(PRINT,PUNCH) = ALL, STRESS(PRINT,PUNCH) = ALL"
+                    : "the file holds results of elements and no grid points: give the deck (.bdf) with it"
             );
         }
         own_mesh_ = context.mesh == nullptr ? nodes_of_rows() : Mesh{};
@@ -99,17 +106,62 @@ private:
     }
 
     void list() {
-        op2::StepList steps;
         for (const PrintedTables::StepEntry& step : tables_.steps)
-            steps.add(step.key, step.value, step.texts);
-        steps_ = steps.finish();
+            step_list_.add(step.key, step.value, step.texts);
+        steps_ = step_list_.finish();
         for (std::size_t i = 0; i < tables_.tables.size(); ++i) {
             const PrintedTable& table = tables_.tables[i];
-            const std::uint32_t step = steps.index_of(table.step);
+            const std::uint32_t step = step_list_.index_of(table.step);
             add(i, step, table.name, 0, !table.rotation.empty());
             if (!table.rotation.empty()) add(i, step, table.rotation, 3, true);
         }
+        list_elements();
         reported_.resize(infos_.size());
+    }
+
+    /// Where there is no deck, nobody knows the elements.
+    void list_elements() {
+        if (tables_.elements.empty()) return;
+        if (mesh_->element_count() == 0) {
+            diagnostics_.add(
+                Code::UnknownBlock,
+                input_.name(),
+                "results of elements are not used without the deck (.bdf): give it with this file",
+                tables_.elements.size()
+            );
+            return;
+        }
+        elements_.emplace(*mesh_);
+        op2::ElementGroups groups;
+        for (std::size_t i = 0; i < tables_.elements.size(); ++i) {
+            const PrintedElements& table = tables_.elements[i];
+            groups.add({table.table, table.step, table.kind, false}, *table.layout, i);
+        }
+        results_of_elements_ = groups.finish();
+        op2::ResultNames names;
+        for (const op2::ElementResult& result : results_of_elements_) {
+            ResultInfo info = op2::element_info(result);
+            info.step = step_list_.index_of(result.step);
+            info.name = names.unique(info, info.name);
+            infos_.push_back(std::move(info));
+        }
+    }
+
+    Result load_elements(std::size_t index) {
+        const op2::ElementResult& listed = results_of_elements_[index - listed_.size()];
+        op2::ElementRowReader reader(listed, *mesh_, *elements_);
+        for (const op2::ElementBlockRef& block : listed.blocks) {
+            read_elements_(
+                input_,
+                tables_.elements[block.record],
+                [&](std::int64_t element, const op2::Words& row) { reader.read(element, row, *block.layout); }
+            );
+        }
+        op2::ElementValues values = reader.finish();
+        if (!reported_[index]) op2::report_values(values, listed.table, input_.name(), diagnostics_);
+        reported_[index] = true;
+        return {
+            infos_[index], std::move(values.values), std::move(values.row_owner), std::move(values.row_node)};
     }
 
     void add(
@@ -160,17 +212,22 @@ private:
     Input input_;
     PrintedTables tables_;
     ReadPrintedRow read_row_;
+    ReadPrintedElements read_elements_;
     Diagnostics& diagnostics_;
     Mesh own_mesh_;
     const Mesh* mesh_ = nullptr;
     std::optional<NodeLookup> lookup_;
+    op2::StepList step_list_;
     std::vector<Step> steps_;
-    std::vector<ListedTable> listed_;
+    std::vector<ListedTable> listed_;                      ///< Results at grid points; then come
+    std::vector<op2::ElementResult> results_of_elements_;  ///< those of elements.
+    std::optional<ElementLookup> elements_;
     std::vector<ResultInfo> infos_;
     std::vector<bool> reported_;
 };
 
 Result PrintedSource::load(std::size_t index) {
+    if (index >= listed_.size() && index < infos_.size()) return load_elements(index);
     const ListedTable& listed = listed_.at(index);
     const PrintedTable& table = tables_.tables[listed.table];
     const std::size_t width = listed.info.components.size();
@@ -220,15 +277,30 @@ PrintedTable& PrintedTables::at(
     return tables[found->second];
 }
 
+PrintedElements& PrintedTables::elements_at(
+    const PrintedElements& head, double value, const op2::Texts& texts
+) {
+    const auto [found, is_new] = element_index_.try_emplace(
+        std::tuple(head.table, head.step, head.kind, head.layout->type), elements.size()
+    );
+    if (is_new) {
+        elements.push_back(head);
+        elements.back().rows.clear();
+        steps.push_back({head.step, value, texts});
+    }
+    return elements[found->second];
+}
+
 std::unique_ptr<ModelSource> open_printed(
     Input input,
     PrintedTables tables,
     ReadPrintedRow read_row,
+    ReadPrintedElements read_elements,
     const ReadContext& context,
     Diagnostics& diagnostics
 ) {
     return std::make_unique<PrintedSource>(
-        std::move(input), std::move(tables), read_row, context, diagnostics
+        std::move(input), std::move(tables), read_row, read_elements, context, diagnostics
     );
 }
 

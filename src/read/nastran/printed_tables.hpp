@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results at grid points from Nastran's text files (.pch, .f06): one model of what they list, whatever their
-// form.
+// Results at grid points and of elements from Nastran's text files (.pch, .f06): one model of what they list,
+// whatever their form.
 #pragma once
 
 #include "base/input.hpp"
+#include "read/nastran/element_results.hpp"
 #include "read/nastran/op2_ident.hpp"
+#include "read/nastran/op2_records.hpp"
 #include "read/read_format.hpp"
 
 #include "feelem/model.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -59,6 +65,46 @@ struct PrintedTable {
     std::vector<PrintedRows> rows;
 };
 
+/// Stresses or strains of one type of element in one step.
+struct PrintedElements {
+    std::string table;  ///< "STRESSES"
+    op2::StepKey step;
+    op2::StressKind kind;
+    const op2::ElementLayout* layout = nullptr;
+    std::vector<PrintedRows> rows;
+};
+
+/// A row of an element, in words of eight bytes as an .op2 has them.
+class WordRow {
+public:
+    explicit WordRow(const op2::ElementLayout& layout) : layout_(layout), bytes_(layout.row_words * kWord) {
+        clear();
+    }
+    /// No points, and all reals missing.
+    void clear() {
+        for (std::size_t i = 0; i < layout_.row_words; ++i)
+            set_real(i, std::numeric_limits<double>::quiet_NaN());
+        if (layout_.point_words == 0) return;
+        for (std::size_t i = layout_.row_words % layout_.point_words; i < layout_.row_words;
+             i += layout_.point_words)
+            set_integer(i, 0);
+    }
+    void set_integer(std::size_t i, std::int64_t value) { std::memcpy(&bytes_[i * kWord], &value, kWord); }
+    void set_real(std::size_t i, double value) { std::memcpy(&bytes_[i * kWord], &value, kWord); }
+    op2::Words words() const { return {bytes_, {kWord, false}}; }
+
+private:
+    static constexpr std::size_t kWord = 8;
+    const op2::ElementLayout& layout_;
+    std::vector<std::byte> bytes_;
+};
+
+using EachElementRow = std::function<void(std::int64_t element, const op2::Words& row)>;
+
+/// Calls each row of a table of elements. Throws Error(BadStructure).
+using ReadPrintedElements =
+    void (*)(const Input& input, const PrintedElements& table, const EachElementRow& each);
+
 /// Tables by name and step, in order of appearance.
 class PrintedTables {
 public:
@@ -70,7 +116,12 @@ public:
     /// The table of that head and step, made on first use. `value`: Hz, time or load factor.
     PrintedTable& at(const Head& head, const op2::StepKey& step, double value, const op2::Texts& texts);
 
+    PrintedElements& elements_at(
+        const PrintedElements& head, double value, const op2::Texts& texts
+    );  ///< Its rows do not count.
+
     std::vector<PrintedTable> tables;
+    std::vector<PrintedElements> elements;
     struct StepEntry {
         op2::StepKey key;
         double value = 0;
@@ -82,6 +133,7 @@ public:
 
 private:
     std::map<std::tuple<std::string, op2::StepKey, PrintedNumbers>, std::size_t> index_;
+    std::map<std::tuple<std::string, op2::StepKey, op2::StressKind, int>, std::size_t> element_index_;
 };
 
 /// Reads the row at `at`, moves behind it; false when there is none before `last`.
@@ -94,6 +146,7 @@ std::unique_ptr<ModelSource> open_printed(
     Input input,
     PrintedTables tables,
     ReadPrintedRow read_row,
+    ReadPrintedElements read_elements,
     const ReadContext& context,
     Diagnostics& diagnostics
 );

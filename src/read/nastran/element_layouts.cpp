@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read/nastran/element_layouts.hpp"
+
+#include <algorithm>
+
+namespace feelem::op2 {
+namespace {
+
+constexpr ElementLayout solid(int type, std::size_t corners) {
+    return {type, RowShape::Solid, corners, kSolidHead + kSolidPoint * (corners + 1), kSolidPoint};
+}
+/// 13 words a point, or 14 with a von Mises amplitude.
+constexpr ElementLayout complex_solid(int type, std::size_t corners, std::size_t point) {
+    return {type, RowShape::SolidComplex, corners, kSolidHead + point * (corners + 1), point};
+}
+constexpr ElementLayout shell(int type, std::size_t corners) {
+    return {type, RowShape::ShellCorner, corners, kShellHead + kShellPoint * (corners + 1), kShellPoint};
+}
+constexpr ElementLayout centre(int type) {
+    return {type, RowShape::ShellCentre, 0, kShellPoint, kShellPoint};
+}
+
+constexpr std::array kLayouts{
+    ElementLayout{1, RowShape::Bar, 1, 5, 0},   // CROD
+    ElementLayout{3, RowShape::Bar, 1, 5, 0},   // CTUBE
+    ElementLayout{10, RowShape::Bar, 1, 5, 0},  // CONROD
+    ElementLayout{34, RowShape::Bar, 5, 16, 0},
+    ElementLayout{34, RowShape::BarEnds, 2, 16, 0},              // CBAR
+    ElementLayout{2, RowShape::BarEnds, 11, 111, kBeamStation},  // CBEAM
+    solid(39, 4),                                                // CTETRA
+    solid(67, 8),                                                // CHEXA
+    solid(68, 6),                                                // CPENTA
+    solid(255, 5),                                               // CPYRAM
+    complex_solid(39, 4, 13),
+    complex_solid(39, 4, 14),
+    complex_solid(67, 8, 13),
+    complex_solid(67, 8, 14),
+    complex_solid(68, 6, 13),
+    complex_solid(68, 6, 14),
+    complex_solid(255, 5, 13),
+    complex_solid(255, 5, 14),
+    centre(33),     // CQUAD4
+    centre(74),     // CTRIA3
+    centre(227),    // CTRIAR
+    centre(228),    // CQUADR
+    shell(64, 4),   // CQUAD8
+    shell(70, 3),   // CTRIAR
+    shell(75, 3),   // CTRIA6
+    shell(82, 4),   // CQUADR
+    shell(144, 4),  // CQUAD4
+};
+
+bool is_complex_shape(RowShape shape) {
+    return shape == RowShape::SolidComplex;
+}
+
+}  // namespace
+
+const ElementLayout* find_layout(std::int64_t type, std::size_t row_words, bool is_complex) {
+    const auto found = std::ranges::find_if(kLayouts, [&](const ElementLayout& layout) {
+        return layout.type == type && layout.row_words == row_words &&
+               is_complex_shape(layout.shape) == is_complex;
+    });
+    return found == kLayouts.end() ? nullptr : &*found;
+}
+
+const ElementLayout* layout_of_type(std::int64_t type) {
+    const auto found = std::ranges::find_if(kLayouts, [&](const ElementLayout& layout) {
+        return layout.type == type && !is_complex_shape(layout.shape);
+    });
+    return found == kLayouts.end() ? nullptr : &*found;
+}
+
+const ElementLayout* ends_layout(const ElementLayout& layout) {
+    if (layout.shape != RowShape::Bar) return nullptr;
+    const auto found = std::ranges::find_if(kLayouts, [&](const ElementLayout& other) {
+        return other.type == layout.type && other.shape == RowShape::BarEnds;
+    });
+    return found == kLayouts.end() ? nullptr : &*found;
+}
+
+}  // namespace feelem::op2
