@@ -66,6 +66,12 @@ void print_model(const ModelReport& report) {
     }
 }
 
+std::uint64_t count_lines(const ModelReport& report) {
+    std::uint64_t lines = 0;
+    for (const auto& [name, count] : report.elements_by_type) lines += name.starts_with("line") ? count : 0;
+    return lines;
+}
+
 void print_skin(const ModelReport& report) {
     if (report.is_brief) return;
     if (!report.skin) {
@@ -85,12 +91,16 @@ void print_skin(const ModelReport& report) {
     if (skin.shell_tri + skin.shell_quad > 0) {
         fmt::print("Shells   {} facets\n", grouped(skin.shell_tri + skin.shell_quad));
     }
-    fmt::print(
-        "Drawn    {} triangles on {} vertices; area {:g}\n",
-        grouped(skin.triangles),
-        grouped(skin.vertices),
-        skin.area
-    );
+    if (skin.triangles > 0) {
+        fmt::print(
+            "Drawn    {} triangles on {} vertices; area {:g}\n",
+            grouped(skin.triangles),
+            grouped(skin.vertices),
+            skin.area
+        );
+    }
+    if (const std::uint64_t lines = count_lines(report); lines > 0)
+        fmt::print("Tubes    {} lines\n", grouped(lines));
 }
 
 void print_steps(const ModelReport& report) {
