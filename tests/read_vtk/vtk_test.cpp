@@ -301,19 +301,6 @@ TEST_F(Vtk, d3plot_family_agrees_with_its_answer) {
     EXPECT_FALSE(results.contains("UserID"));
 }
 
-TEST_F(Vtk, ensight_case_with_a_wedge_is_read) {
-    const auto opened = open_path(test::project_file("tests/data/vtk/wedge.case"));
-    const Mesh& mesh = opened->model->mesh();
-    EXPECT_EQ(opened->model->inputs().size(), 3U);
-    ASSERT_EQ(mesh.blocks.size(), 1U);
-    EXPECT_EQ(mesh.blocks[0].type, ElementType::Wedge6);
-    EXPECT_EQ(test::wrong_node_order(mesh), "");
-    ASSERT_EQ(opened->model->results().size(), 1U);
-    const Result result = opened->model->load(0);
-    EXPECT_EQ(result.info.name, "temperature");
-    EXPECT_THAT(result.values, ElementsAre(10.5F, 11.5F, 12.5F, 13.5F, 14.5F, 15.5F));
-}
-
 TEST_F(Vtk, pieces_of_a_pvtu_are_found_and_recorded) {
     const std::string folder = test::scratch_folder("pvtu");
     const Mesh hex = test::one_element(ElementType::Hex8);

@@ -37,7 +37,7 @@ double volume_of(ElementType type, const std::array<Point, 8>& at) {
 
 class MeshReader {
 public:
-    MeshReader(const Hdf5File& file, NeutralModel* model) : file_(file), model_(model) {}
+    MeshReader(const Hdf5File& file, NeutralModel& model) : file_(file), model_(model) {}
 
     MedMesh read() {
         const auto meshes = file_.names_in("/ENS_MAA");
@@ -51,14 +51,12 @@ public:
             base_ += "/" + steps.front();
         }
         read_nodes();
-        if (model_ != nullptr) {
-            model_->parts.push_back("mesh");
-            read_families("ELEME", element_groups_);
-            read_families("NOEUD", node_groups_);
-            add_node_sets();
-        }
+        model_.parts.push_back("mesh");
+        read_families("ELEME", element_groups_);
+        read_families("NOEUD", node_groups_);
+        add_node_sets();
         for (const MedType& type : med_types()) read_block(type);
-        if (model_ != nullptr) name_unknown_types();
+        name_unknown_types();
         number_elements();
         return std::move(mesh_);
     }
@@ -80,13 +78,12 @@ private:
         for (std::size_t i = 0; i < mesh_.nodes; ++i) {
             for (std::size_t k = 0; k < width; ++k) coordinates_[i][k] = all[k * mesh_.nodes + i];
         }
-        if (model_ == nullptr) return;
         for (const Point& point : coordinates_)
-            model_->coordinates.insert(model_->coordinates.end(), point.begin(), point.end());
-        model_->node_ids = numbers_of(base_ + "/NOE/NUM", mesh_.nodes);
-        if (model_->node_ids.empty()) {
+            model_.coordinates.insert(model_.coordinates.end(), point.begin(), point.end());
+        model_.node_ids = numbers_of(base_ + "/NOE/NUM", mesh_.nodes);
+        if (model_.node_ids.empty()) {
             for (std::size_t i = 1; i <= mesh_.nodes; ++i)
-                model_->node_ids.push_back(static_cast<std::int64_t>(i));
+                model_.node_ids.push_back(static_cast<std::int64_t>(i));
         }
     }
 
@@ -123,7 +120,7 @@ private:
             for (const std::string& group : groups->second)
                 sets[group].push_back(static_cast<std::uint32_t>(i));
         }
-        model_->node_sets.assign(sets.begin(), sets.end());
+        model_.node_sets.assign(sets.begin(), sets.end());
     }
 
     void read_block(const MedType& med) {
@@ -133,7 +130,6 @@ private:
         const std::size_t count = all.size() / med.nodes;
         mesh_.blocks[std::string(med.name)] = {mesh_.elements, count};
         mesh_.elements += count;
-        if (model_ == nullptr) return;
         // All first nodes, then all second ones; counted from 1.
         const std::size_t width = element_row(med.type).node_count;
         std::vector<std::uint32_t> rows(count * width);
@@ -146,8 +142,8 @@ private:
             }
         }
         if (is_mirrored(med.type, rows)) mirror(med.type, rows);
-        model_->types.insert(model_->types.end(), count, med.type);
-        model_->element_nodes.insert(model_->element_nodes.end(), rows.begin(), rows.end());
+        model_.types.insert(model_.types.end(), count, med.type);
+        model_.element_nodes.insert(model_.element_nodes.end(), rows.begin(), rows.end());
         add_parts(path + "/FAM", count);
         numbers_.push_back(numbers_of(path + "/NUM", count));
     }
@@ -184,13 +180,13 @@ private:
                 e < families.size() ? element_groups_.find(families[e]) : element_groups_.end();
             const bool named =
                 groups != element_groups_.end() && !groups->second.empty() && !groups->second.front().empty();
-            model_->element_parts.push_back(named ? part(groups->second.front()) : 0);
+            model_.element_parts.push_back(named ? part(groups->second.front()) : 0);
         }
     }
 
     std::uint32_t part(const std::string& name) {
-        const auto [at, is_new] = parts_.try_emplace(name, static_cast<std::uint32_t>(model_->parts.size()));
-        if (is_new) model_->parts.push_back(name);
+        const auto [at, is_new] = parts_.try_emplace(name, static_cast<std::uint32_t>(model_.parts.size()));
+        if (is_new) model_.parts.push_back(name);
         return at->second;
     }
 
@@ -198,7 +194,7 @@ private:
         for (const std::string& name : file_.names_in(base_ + "/MAI")) {
             if (mesh_.blocks.contains(name)) continue;
             const auto count = file_.integer(base_ + "/MAI/" + name + "/NOD", "NBR");
-            model_->skipped.emplace_back(
+            model_.skipped.emplace_back(
                 "MED type " + name, static_cast<std::uint64_t>(std::max<std::int64_t>(count.value_or(1), 1))
             );
         }
@@ -206,23 +202,22 @@ private:
 
     /// The file's numbers where all blocks have them and none occurs twice, else 1, 2, 3 ...
     void number_elements() {
-        if (model_ == nullptr) return;
         std::unordered_set<std::int64_t> seen;
         bool good = true;
         for (const auto& block : numbers_) {
             for (const std::int64_t number : block) {
                 good = good && seen.insert(number).second;
-                model_->element_ids.push_back(number);
+                model_.element_ids.push_back(number);
             }
         }
-        if (good && model_->element_ids.size() == mesh_.elements) return;
-        model_->element_ids.clear();
+        if (good && model_.element_ids.size() == mesh_.elements) return;
+        model_.element_ids.clear();
         for (std::size_t e = 1; e <= mesh_.elements; ++e)
-            model_->element_ids.push_back(static_cast<std::int64_t>(e));
+            model_.element_ids.push_back(static_cast<std::int64_t>(e));
     }
 
     const Hdf5File& file_;
-    NeutralModel* model_;
+    NeutralModel& model_;
     MedMesh mesh_;
     std::string base_;
     std::vector<Point> coordinates_;
@@ -233,7 +228,7 @@ private:
 
 }  // namespace
 
-MedMesh read_med_mesh(const Hdf5File& file, NeutralModel* model) {
+MedMesh read_med_mesh(const Hdf5File& file, NeutralModel& model) {
     return MeshReader(file, model).read();
 }
 

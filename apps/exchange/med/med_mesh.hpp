@@ -21,7 +21,7 @@ struct MedMesh {
     std::size_t nodes = 0, elements = 0;
 };
 
-/// The first mesh of the file; `model`: null when only the places are wanted. Throws std::runtime_error.
-MedMesh read_med_mesh(const Hdf5File& file, NeutralModel* model);
+/// The first mesh of the file. Throws std::runtime_error.
+MedMesh read_med_mesh(const Hdf5File& file, NeutralModel& model);
 
 }  // namespace feelem::exchange

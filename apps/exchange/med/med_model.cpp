@@ -96,7 +96,7 @@ void fill(
 std::string list_med(const std::string& path) {
     const Hdf5File file(path);
     NeutralModel model;
-    const MedMesh mesh = read_med_mesh(file, &model);
+    const MedMesh mesh = read_med_mesh(file, model);
     std::set<std::tuple<std::int64_t, std::int64_t, double>> keys;
     const std::vector<std::string> fields = file.names_in("/CHA");
     for (const std::string& field : fields) {
@@ -138,7 +138,8 @@ std::string list_med(const std::string& path) {
 
 std::string load_med(const std::string& path, const NeutralResult& result) {
     const Hdf5File file(path);
-    const MedMesh mesh = read_med_mesh(file, nullptr);
+    NeutralModel model;
+    const MedMesh mesh = read_med_mesh(file, model);
     std::set<std::tuple<std::int64_t, std::int64_t, double>> keys;
     for (const std::string& field : file.names_in("/CHA")) {
         for (const FieldStep& step : steps_of(file, field)) keys.insert(step.key);
@@ -161,7 +162,7 @@ std::string load_med(const std::string& path, const NeutralResult& result) {
                 fill(file, place, block->second.first, block->second.count, width, values);
         }
     }
-    return write_values(values);
+    return write_values(model, values);
 }
 
 }  // namespace feelem::exchange

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <span>
@@ -71,12 +72,10 @@ std::optional<std::vector<std::vector<std::int64_t>>> ids_of(
         if (array == nullptr || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != count)
             return {};
         std::vector<std::int64_t>& ids = all.emplace_back();
-        std::unordered_set<std::int64_t> seen;
         for (vtkIdType i = 0; i < count; ++i) {
             const double value = array->GetComponent(i, 0);
             if (!(value >= 1 && value < 9e15)) return {};
             ids.push_back(static_cast<std::int64_t>(value));
-            if (!seen.insert(ids.back()).second) return {};
         }
     }
     return all;
@@ -87,31 +86,62 @@ constexpr std::array<std::string_view, 4> kNodeIds{
 constexpr std::array<std::string_view, 4> kElementIds{
     "GlobalElementId", "GlobalElementID", "ElementId", "PedigreeElementId"};
 
-void merge_nodes(const std::vector<Leaf>& leaves, Merged& merged, NeutralModel* model) {
-    const auto ids = ids_of(leaves, true, kNodeIds);
+using Point = std::array<double, 3>;
+
+struct Nodes {
+    std::vector<std::vector<std::uint32_t>> node_of;
+    std::vector<std::int64_t> ids;
+    std::vector<Point> points;
+};
+
+/// Points with the same id are one node. Nothing when such points lie apart: then each block or piece counts
+/// its own points.
+std::optional<Nodes> nodes_by_id(
+    const std::vector<Leaf>& leaves, const std::vector<std::vector<std::int64_t>>& ids
+) {
+    Nodes nodes;
     std::unordered_map<std::int64_t, std::uint32_t> known;
     for (std::size_t l = 0; l < leaves.size(); ++l) {
-        std::vector<std::uint32_t>& places = merged.node_of.emplace_back();
-        const vtkIdType count = leaves[l].data->GetNumberOfPoints();
-        for (vtkIdType i = 0; i < count; ++i) {
-            const auto next = static_cast<std::uint32_t>(merged.nodes);
-            std::int64_t id = std::int64_t{next} + 1;
-            if (ids) {
-                id = (*ids)[l][static_cast<std::size_t>(i)];
-                const auto [at, is_new] = known.try_emplace(id, next);
-                places.push_back(at->second);
-                if (!is_new) continue;
-            } else {
-                places.push_back(next);
+        std::vector<std::uint32_t>& places = nodes.node_of.emplace_back();
+        for (std::size_t i = 0; i < ids[l].size(); ++i) {
+            Point point;
+            leaves[l].data->GetPoint(static_cast<vtkIdType>(i), point.data());
+            const auto next = static_cast<std::uint32_t>(nodes.ids.size());
+            const auto [at, is_new] = known.try_emplace(ids[l][i], next);
+            places.push_back(at->second);
+            if (is_new) {
+                nodes.ids.push_back(ids[l][i]);
+                nodes.points.push_back(point);
+            } else if (std::memcmp(&nodes.points[at->second], &point, sizeof point) != 0) {
+                return {};
             }
-            ++merged.nodes;
-            if (model == nullptr) continue;
-            double at[3];
-            leaves[l].data->GetPoint(i, at);
-            model->node_ids.push_back(id);
-            model->coordinates.insert(model->coordinates.end(), at, at + 3);
         }
     }
+    return nodes;
+}
+
+Nodes nodes_in_order(const std::vector<Leaf>& leaves) {
+    Nodes nodes;
+    for (const Leaf& leaf : leaves) {
+        std::vector<std::uint32_t>& places = nodes.node_of.emplace_back();
+        for (vtkIdType i = 0; i < leaf.data->GetNumberOfPoints(); ++i) {
+            leaf.data->GetPoint(i, nodes.points.emplace_back().data());
+            places.push_back(static_cast<std::uint32_t>(nodes.ids.size()));
+            nodes.ids.push_back(static_cast<std::int64_t>(nodes.ids.size()) + 1);
+        }
+    }
+    return nodes;
+}
+
+void merge_nodes(const std::vector<Leaf>& leaves, Merged& merged, NeutralModel& model) {
+    const auto ids = ids_of(leaves, true, kNodeIds);
+    std::optional<Nodes> nodes = ids ? nodes_by_id(leaves, *ids) : std::nullopt;
+    merged.has_node_ids = nodes.has_value();
+    if (!nodes) nodes = nodes_in_order(leaves);
+    merged.node_of = std::move(nodes->node_of);
+    model.node_ids = std::move(nodes->ids);
+    for (const Point& point : nodes->points)
+        model.coordinates.insert(model.coordinates.end(), point.begin(), point.end());
 }
 
 /// Whether most wedges have the triangle 0 1 2 facing away from 3 4 5.
@@ -143,6 +173,13 @@ std::string part_name(const std::string& leaf, std::size_t index, std::size_t co
     return count == 1 ? "mesh" : fmt::format("block {}", index + 1);
 }
 
+/// What a cell that is left out is called: VTK's word for its type.
+std::string kind_of_cell(int type, vtkIdType points) {
+    if (type == VTK_EMPTY_CELL) return fmt::format("cell that VTK does not know, of {} points,", points);
+    const char* const name = vtkCellTypes::GetClassNameFromTypeId(type);
+    return fmt::format("{} of {} points", name != nullptr ? name : "cell", points);
+}
+
 }  // namespace
 
 bool is_id_array(std::string_view name) {
@@ -153,20 +190,44 @@ bool is_id_array(std::string_view name) {
            std::ranges::find(kOthers, name) != std::end(kOthers);
 }
 
-Merged merge(const std::vector<Leaf>& leaves, bool own_format, NeutralModel* model) {
-    Merged merged;
-    merge_nodes(leaves, merged, model);
+namespace {
+
+/// The file's ids of cells, each once, or nothing.
+std::optional<std::vector<std::vector<std::int64_t>>> element_ids_of(const std::vector<Leaf>& leaves) {
     auto ids = ids_of(leaves, false, kElementIds);
-    if (ids) {
-        std::unordered_set<std::int64_t> seen;
-        for (const auto& leaf : *ids) {
-            for (const std::int64_t id : leaf) {
-                if (ids && !seen.insert(id).second) ids.reset();
-                if (!ids) break;
-            }
-            if (!ids) break;
+    if (!ids) return {};
+    std::unordered_set<std::int64_t> seen;
+    for (const auto& leaf : *ids) {
+        for (const std::int64_t id : leaf) {
+            if (!seen.insert(id).second) return {};
         }
     }
+    return ids;
+}
+
+bool is_ghost(vtkDataSet* data, vtkIdType cell) {
+    vtkUnsignedCharArray* const ghosts = data->GetCellGhostArray();
+    return ghosts != nullptr && cell < ghosts->GetNumberOfTuples() && ghosts->GetValue(cell) != 0;
+}
+
+void append_nodes(
+    vtkIdList* points, const Shape& shape, const std::vector<std::uint32_t>& node_of, NeutralModel& model
+) {
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i) {
+        const vtkIdType from =
+            points->GetId(shape.order.empty() ? i : shape.order[static_cast<std::size_t>(i)]);
+        if (from < 0 || static_cast<std::size_t>(from) >= node_of.size())
+            throw std::runtime_error("a cell names a point that the file does not have");
+        model.element_nodes.push_back(node_of[static_cast<std::size_t>(from)]);
+    }
+}
+
+}  // namespace
+
+Merged merge(const std::vector<Leaf>& leaves, bool own_format, NeutralModel& model) {
+    Merged merged;
+    merge_nodes(leaves, merged, model);
+    const auto ids = element_ids_of(leaves);
     std::map<std::string, std::uint64_t> skipped;
     vtkNew<vtkIdList> points;
     std::int64_t cell_number = 0;
@@ -174,37 +235,29 @@ Merged merge(const std::vector<Leaf>& leaves, bool own_format, NeutralModel* mod
         vtkDataSet* const data = leaves[l].data;
         std::vector<std::uint32_t>& places = merged.element_of.emplace_back();
         const bool turns_wedges = own_format || are_wedges_turned(data);
-        vtkUnsignedCharArray* const ghosts = data->GetCellGhostArray();
-        if (model != nullptr) model->parts.push_back(part_name(leaves[l].name, l, leaves.size()));
+        model.parts.push_back(part_name(leaves[l].name, l, leaves.size()));
         for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
             ++cell_number;
-            const bool ghost =
-                ghosts != nullptr && c < ghosts->GetNumberOfTuples() && ghosts->GetValue(c) != 0;
             data->GetCellPoints(c, points);
             const int type = data->GetCellType(c);
             const vtkIdType count = points->GetNumberOfIds();
+            const bool ghost = is_ghost(data, c);
             const auto shape = ghost ? std::nullopt : shape_of(type, count, turns_wedges);
             if (!shape) {
-                const char* const name = vtkCellTypes::GetClassNameFromTypeId(type);
-                if (!ghost) ++skipped[fmt::format("{} of {} points", name != nullptr ? name : "cell", count)];
+                if (!ghost) ++skipped[kind_of_cell(type, count)];
                 places.push_back(kNowhere);
                 continue;
             }
-            places.push_back(static_cast<std::uint32_t>(merged.elements++));
-            if (model == nullptr) continue;
-            model->types.push_back(shape->type);
-            model->element_parts.push_back(static_cast<std::uint32_t>(l));
-            model->element_ids.push_back(ids ? (*ids)[l][static_cast<std::size_t>(c)] : cell_number);
-            for (vtkIdType i = 0; i < count; ++i) {
-                const vtkIdType from =
-                    points->GetId(shape->order.empty() ? i : shape->order[static_cast<std::size_t>(i)]);
-                if (from < 0 || from >= data->GetNumberOfPoints())
-                    throw std::runtime_error("a cell names a point that the file does not have");
-                model->element_nodes.push_back(merged.node_of[l][static_cast<std::size_t>(from)]);
-            }
+            places.push_back(static_cast<std::uint32_t>(model.types.size()));
+            model.types.push_back(shape->type);
+            model.element_parts.push_back(static_cast<std::uint32_t>(l));
+            model.element_ids.push_back(ids ? (*ids)[l][static_cast<std::size_t>(c)] : cell_number);
+            append_nodes(points, *shape, merged.node_of[l], model);
         }
     }
-    if (model != nullptr) model->skipped.assign(skipped.begin(), skipped.end());
+    merged.nodes = model.node_ids.size();
+    merged.elements = model.types.size();
+    model.skipped.assign(skipped.begin(), skipped.end());
     return merged;
 }
 

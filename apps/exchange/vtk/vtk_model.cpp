@@ -34,7 +34,7 @@ std::string list_vtk(const std::string& format, const std::string& path) {
     const std::vector<Leaf> leaves = reader->read(0);
     if (leaves.empty()) throw std::runtime_error("the file holds no mesh");
     NeutralModel model;
-    merge(leaves, reader->own_format(), &model);
+    merge(leaves, reader->own_format(), model);
     if (model.types.empty() && model.skipped.empty())
         throw std::runtime_error("the file holds points but no cells: it was cut, or is no mesh");
     const std::size_t steps = times.empty() ? 1 : times.size();
@@ -55,7 +55,9 @@ std::string load_vtk(const std::string& format, const std::string& path, const N
     const auto reader = open_vtk(format, path);
     reader->times();
     const std::vector<Leaf> leaves = reader->read(result.step);
-    return write_values(values_of(leaves, merge(leaves, reader->own_format(), nullptr), result));
+    NeutralModel model;
+    const Merged merged = merge(leaves, reader->own_format(), model);
+    return write_values(model, values_of(leaves, merged, result));
 }
 
 }  // namespace feelem::exchange

@@ -4,6 +4,7 @@
 #include "base/input.hpp"
 #include "read/exchange/family_names.hpp"
 #include "vtk/exodus_values.hpp"
+#include "vtk/joined_tensors.hpp"
 
 #include <vtkAlgorithm.h>
 #include <vtkCGNSReader.h>
@@ -112,6 +113,13 @@ private:
     bool own_format_;
 };
 
+/// VTK gives legacy files the time 0, which nobody wrote.
+class LegacyReader : public PipelineReader {
+public:
+    explicit LegacyReader(vtkSmartPointer<vtkAlgorithm> reader) : PipelineReader(std::move(reader), true) {}
+    std::vector<double> times() override { return {}; }
+};
+
 std::unique_ptr<VtkReader> open_legacy(const std::string& path) {
     vtkNew<vtkGenericDataObjectReader> reader;
     reader->SetFileName(path.c_str());
@@ -120,7 +128,7 @@ std::unique_ptr<VtkReader> open_legacy(const std::string& path) {
     reader->ReadAllTensorsOn();
     reader->ReadAllFieldsOn();
     reader->ReadAllNormalsOn();
-    return std::make_unique<PipelineReader>(reader.Get(), true);
+    return std::make_unique<LegacyReader>(reader.Get());
 }
 
 std::unique_ptr<VtkReader> open_xml(const std::string& path) {
@@ -139,14 +147,17 @@ public:
                 times_.push_back(entry.time);
                 files_.emplace_back();
             }
-            files_.back().push_back((folder / entry.file).string());
+            files_.back().push_back({(folder / entry.file).string(), entry.part});
         }
     }
     std::vector<double> times() override { return times_; }
     std::vector<Leaf> read(std::size_t step) override {
         std::vector<Leaf> leaves;
-        for (const std::string& file : files_.at(step)) {
-            for (Leaf& leaf : open_xml(file)->read(0)) leaves.push_back(std::move(leaf));
+        for (const auto& [file, part] : files_.at(step)) {
+            for (Leaf& leaf : open_xml(file)->read(0)) {
+                if (leaf.name.empty()) leaf.name = part;
+                leaves.push_back(std::move(leaf));
+            }
         }
         return leaves;
     }
@@ -154,7 +165,7 @@ public:
 
 private:
     std::vector<double> times_;
-    std::vector<std::vector<std::string>> files_;
+    std::vector<std::vector<std::pair<std::string, std::string>>> files_;  ///< And their parts' names.
 };
 
 /// Of files whose values the Exodus library does not find, they are put in after it.
@@ -165,6 +176,7 @@ public:
     std::vector<Leaf> read(std::size_t step) override {
         std::vector<Leaf> leaves = PipelineReader::read(step);
         values_.put_into(leaves, step);
+        join_tensors(leaves);
         return leaves;
     }
 
@@ -204,6 +216,16 @@ std::unique_ptr<VtkReader> open_ensight(const std::string& path) {
     return std::make_unique<PipelineReader>(reader.Get(), false);
 }
 
+class CgnsReader : public PipelineReader {
+public:
+    explicit CgnsReader(vtkSmartPointer<vtkAlgorithm> reader) : PipelineReader(std::move(reader), false) {}
+    std::vector<Leaf> read(std::size_t step) override {
+        std::vector<Leaf> leaves = PipelineReader::read(step);
+        join_tensors(leaves);
+        return leaves;
+    }
+};
+
 std::unique_ptr<VtkReader> open_cgns(const std::string& path) {
     vtkNew<vtkCGNSReader> reader;
     reader->SetFileName(path.c_str());
@@ -212,7 +234,7 @@ std::unique_ptr<VtkReader> open_cgns(const std::string& path) {
     reader->EnableAllBases();
     reader->EnableAllPointArrays();
     reader->EnableAllCellArrays();
-    return std::make_unique<PipelineReader>(reader.Get(), false);
+    return std::make_unique<CgnsReader>(reader.Get());
 }
 
 std::unique_ptr<VtkReader> open_d3plot(const std::string& path) {

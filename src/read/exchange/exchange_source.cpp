@@ -41,6 +41,7 @@ public:
           files_(main, others, context.includes) {
         NeutralModel model = read_model(ask({"list"}), input().name());
         set_mesh(make_mesh(model, diagnostics), context, "the file defines no nodes");
+        mesh_digest_ = mesh_digest(model);
         node_ids_ = std::move(model.node_ids);
         element_ids_ = std::move(model.element_ids);
         list(std::move(model));
@@ -92,7 +93,18 @@ private:
             nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
             builder.add_node_set(name, nodes);
         }
-        for (const auto& [name, count] : model.skipped) builder.skip_element(name, count);
+        for (const auto& [name, count] : model.skipped) {
+            diagnostics.add(
+                Code::UnknownElementType,
+                input().name(),
+                fmt::format(
+                    "elements of type {} are left out: Feelem does not know their shape. ParaView's filter "
+                    "Tetrahedralize makes shapes that it knows",
+                    name
+                ),
+                count
+            );
+        }
         for (const auto& [name, nodes] : model.node_sets) {
             std::vector<NodeId> ids;
             for (const std::uint32_t node : nodes) {
@@ -105,7 +117,20 @@ private:
         for (const auto& [name, metres] : kUnits) {
             if (model.length_unit == name) builder.set_length_unit({name, metres});
         }
-        return builder.finish();
+        Mesh mesh = builder.finish();
+        if (!model.element_sets.empty()) add_element_sets(mesh, model);
+        return mesh;
+    }
+
+    static void add_element_sets(Mesh& mesh, const NeutralModel& model) {
+        const ElementLookup lookup(mesh);
+        for (const auto& [name, elements] : model.element_sets) {
+            std::vector<ElementId> ids;
+            for (const std::uint32_t element : elements) {
+                if (element < model.element_ids.size()) ids.push_back(ElementId{model.element_ids[element]});
+            }
+            add_element_set(mesh, lookup, name, ids);
+        }
     }
 
     template <class Use>
@@ -136,15 +161,26 @@ private:
         listed_ = std::move(model.results);
     }
 
+    /// code_aster puts the name of its result, filled up to eight characters with _, before that of the
+    /// field: RESU____DEPL.
+    static std::string name_of(const std::string& label, std::size_t components) {
+        constexpr std::size_t kAsterResult = 8;
+        std::string name = common_name(label, components);
+        if (name != lower_name(label) || label.size() <= kAsterResult || label[kAsterResult - 1] != '_')
+            return name;
+        std::string field = common_name(label.substr(kAsterResult), components);
+        return field != lower_name(label.substr(kAsterResult)) ? field : name;
+    }
+
     static std::vector<std::uint32_t> name_result(ResultInfo& info, const NeutralResult& result) {
-        info.name = common_name(result.name, result.components);
+        info.name = name_of(result.name, result.components);
         const std::vector<std::string>& names = result.component_names;
         const bool tensor = names.size() == 6 && names[0].ends_with("XX") && names[4].ends_with("XZ");
         auto places = name_components(info, result.components, tensor ? TensorOrder::Med : TensorOrder::Vtk);
         if (tensor || names.size() != result.components || names.size() == 1) return places;
         const bool vector = names.size() >= 3 && names[0].ends_with('X') && names[1].ends_with('Y') &&
                             names[2].ends_with('Z') && names[0].size() == 2;
-        if (vector) info.name = common_name(result.name, 3);
+        if (vector) info.name = name_of(result.name, 3);
         info.shape = vector ? Shape::Vector : Shape::Other;
         info.components.clear();
         std::iota(places.begin(), places.end(), 0U);
@@ -179,13 +215,16 @@ private:
         const bool nodal = info.location == Location::Nodal;
         const std::size_t width = info.components.size();
         const std::size_t rows = nodal ? node_ids_.size() : element_ids_.size();
-        if (answer[0] != static_cast<char>(Answer::Values) ||
-            answer.size() != 1 + rows * width * sizeof(float)) {
+        const NeutralValues values = read_values(answer, input().name());
+        if (values.mesh_digest != mesh_digest_ || values.bytes.size() != rows * width * sizeof(float)) {
             throw Error(
                 Code::MeshesDiffer,
                 input().name(),
                 fmt::format(
-                    "{} has another number of nodes or elements at this step than the mesh", info.solver_name
+                    "{} at step {} is of other nodes or elements than those of the first step. Convert such "
+                    "steps one by one",
+                    info.solver_name,
+                    steps()[info.step].step
                 )
             );
         }
@@ -193,7 +232,7 @@ private:
         const std::vector<std::uint32_t> places = rows_of_mesh(nodal);
         std::vector<float> row(width);
         for (std::size_t i = 0; i < rows; ++i) {
-            std::memcpy(row.data(), answer.data() + 1 + i * width * sizeof(float), width * sizeof(float));
+            std::memcpy(row.data(), values.bytes.data() + i * width * sizeof(float), width * sizeof(float));
             const std::size_t to = places[i];
             if (to >= (nodal ? mesh().node_count() : mesh().element_count())) continue;
             for (std::size_t c = 0; c < width; ++c) {
@@ -207,6 +246,7 @@ private:
 
     std::string format_;
     InputFiles files_;
+    std::uint64_t mesh_digest_ = 0;
     std::vector<std::int64_t> node_ids_, element_ids_;  ///< In the order of the helper's values.
     std::vector<NeutralResult> listed_;
     std::vector<std::vector<std::uint32_t>> places_;

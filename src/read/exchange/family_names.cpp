@@ -74,7 +74,7 @@ std::vector<PvdEntry> read_pvd(std::string_view text, const std::string& name) {
         const auto file = attribute_of(*tag, "file");
         if (!file || file->empty()) continue;
         const auto time = parse_double(attribute_of(*tag, "timestep").value_or("0"));
-        entries.push_back({time.value_or(0), *file});
+        entries.push_back({time.value_or(0), *file, attribute_of(*tag, "name").value_or("")});
     }
     if (entries.empty())
         throw Error(Code::BadStructure, name, "the collection names no file (<DataSet timestep= file=/>)");

@@ -12,6 +12,7 @@ namespace feelem::exchange {
 struct PvdEntry {
     double time = 0;
     std::string file;
+    std::string part{};  ///< Empty: the collection names none.
 };
 /// In file order. Throws Error(BadStructure) when there is none.
 std::vector<PvdEntry> read_pvd(std::string_view text, const std::string& name);

@@ -91,10 +91,12 @@ std::string write_model(const NeutralModel& model) {
         to.put(std::string_view(name));
         to.put(count);
     }
-    to.put(std::uint64_t{model.node_sets.size()});
-    for (const auto& [name, nodes] : model.node_sets) {
-        to.put(std::string_view(name));
-        to.put(nodes);
+    for (const auto* sets : {&model.node_sets, &model.element_sets}) {
+        to.put(std::uint64_t{sets->size()});
+        for (const auto& [name, members] : *sets) {
+            to.put(std::string_view(name));
+            to.put(members);
+        }
     }
     to.put(std::uint64_t{model.steps.size()});
     for (const Step& step : model.steps) {
@@ -116,10 +118,37 @@ std::string write_model(const NeutralModel& model) {
     return to.take();
 }
 
-std::string write_values(const std::vector<float>& values) {
-    std::string bytes(1, static_cast<char>(Answer::Values));
+std::uint64_t mesh_digest(const NeutralModel& model) {
+    std::uint64_t digest = 0xCBF29CE484222325;
+    const auto mix = [&](const auto& numbers) {
+        for (const auto number : numbers) {
+            digest = (digest ^ static_cast<std::uint64_t>(number)) * 0x100000001B3;
+            digest ^= digest >> 29;
+        }
+    };
+    mix(model.node_ids);
+    mix(model.types);
+    mix(model.element_ids);
+    mix(model.element_nodes);
+    return digest;
+}
+
+std::string write_values(const NeutralModel& model, const std::vector<float>& values) {
+    NeutralWriter to(Answer::Values);
+    to.put(mesh_digest(model));
+    std::string bytes = to.take();
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
     return bytes;
+}
+
+NeutralValues read_values(std::string_view answer, const std::string& name) {
+    constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
+    if (answer.size() < kHead || answer[0] != static_cast<char>(Answer::Values))
+        throw Error(Code::BadStructure, name, "the helper program gave no values: the file must be damaged");
+    NeutralValues values;
+    std::memcpy(&values.mesh_digest, answer.data() + 1, sizeof values.mesh_digest);
+    values.bytes = std::span(answer.data() + kHead, answer.size() - kHead);
+    return values;
 }
 
 std::string write_request(const NeutralResult& result) {
@@ -163,9 +192,11 @@ NeutralModel read_model(std::string bytes, const std::string& name) {
         std::string kind = from.text();
         model.skipped.emplace_back(std::move(kind), from.get<std::uint64_t>());
     }
-    for (std::size_t left = from.count(16); left > 0; --left) {
-        std::string set = from.text();
-        model.node_sets.emplace_back(std::move(set), from.array<std::uint32_t>());
+    for (auto* sets : {&model.node_sets, &model.element_sets}) {
+        for (std::size_t left = from.count(16); left > 0; --left) {
+            std::string set = from.text();
+            sets->emplace_back(std::move(set), from.array<std::uint32_t>());
+        }
     }
     for (std::size_t left = from.count(17); left > 0; --left) {
         Step step;

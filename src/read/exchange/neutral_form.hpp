@@ -33,8 +33,9 @@ struct NeutralModel {
     std::vector<std::uint32_t> element_parts;
     std::vector<std::uint32_t>
         element_nodes;  ///< Indexes of nodes in Feelem's order, as many as the type has.
-    std::vector<std::pair<std::string, std::uint64_t>> skipped;  ///< Kinds of cells left out.
-    std::vector<std::pair<std::string, std::vector<std::uint32_t>>> node_sets;
+    std::vector<std::pair<std::string, std::uint64_t>> skipped;                 ///< Kinds of cells left out.
+    std::vector<std::pair<std::string, std::vector<std::uint32_t>>> node_sets;  ///< Indexes of nodes.
+    std::vector<std::pair<std::string, std::vector<std::uint32_t>>> element_sets;  ///< Indexes of elements.
     std::vector<Step> steps;
     std::vector<NeutralResult> results;
     std::string length_unit;  ///< Empty: unknown.
@@ -43,7 +44,7 @@ struct NeutralModel {
 /// First byte of an answer.
 enum class Answer : std::uint8_t {
     Model = 'M',
-    Values = 'V',       ///< Floats in the order of nodes or elements, missing ones NaN.
+    Values = 'V',       ///< mesh_digest(), then floats in the order of nodes or elements, missing ones NaN.
     Error = 'E',        ///< Words for the user.
     Unsupported = 'U',  ///< The same: this build lacks the library.
 };
@@ -74,7 +75,18 @@ private:
 };
 
 std::string write_model(const NeutralModel& model);
-std::string write_values(const std::vector<float>& values);
+
+/// What tells whether two steps have the same nodes and elements, whatever places the nodes moved to.
+std::uint64_t mesh_digest(const NeutralModel& model);
+/// `model`: of the step that the values are of.
+std::string write_values(const NeutralModel& model, const std::vector<float>& values);
+
+struct NeutralValues {
+    std::uint64_t mesh_digest = 0;
+    std::span<const char> bytes;  ///< Of floats; views the answer.
+};
+/// Throws Error(BadStructure) on anything that write_values() cannot have written.
+NeutralValues read_values(std::string_view answer, const std::string& name);
 
 /// A result as a word on the helper's command line, and back. Throws std::runtime_error.
 std::string write_request(const NeutralResult& result);

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Our own small file of every exchange format (tests/data/exchange): all that the script wrote comes out, or
+// the page of the format says what does not.
+#include "example_models.hpp"
+#include "support/exchange_checks.hpp"
+#include "support/paths.hpp"
+
+#include "feelem/error.hpp"
+#include "feelem/read.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace feelem {
+namespace {
+
+using test::curved_example;
+using test::expect_example;
+using test::Kept;
+using test::stack_example;
+
+/// Skips what this build has no library for.
+class ExchangeExamples : public testing::Test {
+protected:
+    ModelSource* open(const std::string& file) {
+        try {
+            model_ = open_model(
+                std::vector<std::string>{test::project_file("tests/data/exchange/" + file)}, {}, diagnostics_
+            );
+        } catch (const Error& error) {
+            if (error.code() != Code::UnsupportedFormat) throw;
+            return nullptr;
+        }
+        EXPECT_EQ(test::wrong_node_order(model_->mesh()), "");
+        return model_.get();
+    }
+    const Diagnostics& diagnostics() const { return diagnostics_; }
+
+private:
+    Diagnostics diagnostics_;
+    std::unique_ptr<ModelSource> model_;
+};
+
+#define OPEN_OR_SKIP(model, file)                                                                            \
+    ModelSource* const model = open(file);                                                                   \
+    if (model == nullptr) GTEST_SKIP() << "this build has no library for it"
+
+TEST_F(ExchangeExamples, exodus_has_everything) {
+    OPEN_OR_SKIP(model, "exodus/stack.exo");
+    expect_example(*model, stack_example(), {.parts = Kept::Parts::OnePerType});
+    EXPECT_TRUE(diagnostics().entries().empty());
+}
+
+TEST_F(ExchangeExamples, exodus_of_second_order_has_everything) {
+    OPEN_OR_SKIP(model, "exodus/curved.exo");
+    expect_example(*model, curved_example(), {.parts = Kept::Parts::OnePerType, .steps = {0}});
+}
+
+TEST_F(ExchangeExamples, med_has_everything) {
+    OPEN_OR_SKIP(model, "med/stack.med");
+    expect_example(*model, stack_example(), {});
+    EXPECT_TRUE(diagnostics().entries().empty());
+}
+
+TEST_F(ExchangeExamples, med_of_second_order_has_everything) {
+    OPEN_OR_SKIP(model, "med/curved.med");
+    expect_example(*model, curved_example(), {.steps = {0}});
+}
+
+TEST_F(ExchangeExamples, cgns_has_everything_but_ids) {
+    OPEN_OR_SKIP(model, "cgns/stack.cgns");
+    expect_example(
+        *model,
+        stack_example(),
+        {.node_ids = false, .element_ids = false, .one_node_a_point = false, .missing_node = false}
+    );
+    EXPECT_TRUE(diagnostics().entries().empty());
+}
+
+TEST_F(ExchangeExamples, cgns_of_second_order_lacks_pyramids_and_says_so) {
+    OPEN_OR_SKIP(model, "cgns/curved.cgns");
+    EXPECT_EQ(diagnostics().count(Code::UnknownElementType), 1U);
+    expect_example(
+        *model,
+        curved_example(),
+        {.node_ids = false, .element_ids = false, .steps = {0}, .unread = {ElementType::Pyramid13}}
+    );
+}
+
+TEST_F(ExchangeExamples, ensight_has_everything_but_ids) {
+    OPEN_OR_SKIP(model, "ensight/stack.case");
+    expect_example(
+        *model, stack_example(), {.node_ids = false, .element_ids = false, .one_node_a_point = false}
+    );
+    EXPECT_TRUE(diagnostics().entries().empty());
+}
+
+TEST_F(ExchangeExamples, ensight_of_second_order_has_everything_but_ids) {
+    OPEN_OR_SKIP(model, "ensight/curved.case");
+    expect_example(*model, curved_example(), {.node_ids = false, .element_ids = false, .steps = {0}});
+}
+
+TEST_F(ExchangeExamples, legacy_vtk_has_everything_of_a_step) {
+    OPEN_OR_SKIP(model, "vtk/stack.vtk");
+    expect_example(*model, stack_example(), {.parts = Kept::Parts::None, .steps = {1}, .times = false});
+    EXPECT_EQ(model->steps()[0].kind, StepKind::Other);
+}
+
+TEST_F(ExchangeExamples, legacy_vtk_of_second_order_has_everything) {
+    OPEN_OR_SKIP(model, "vtk/curved.vtk");
+    expect_example(
+        *model,
+        curved_example(),
+        {.parts = Kept::Parts::None, .steps = {1}, .times = false, .missing_node = true}
+    );
+}
+
+TEST_F(ExchangeExamples, vtu_of_second_order_has_everything) {
+    OPEN_OR_SKIP(model, "vtk/curved.vtu");
+    expect_example(*model, curved_example(), {.parts = Kept::Parts::None, .steps = {0}, .times = false});
+    EXPECT_TRUE(diagnostics().entries().empty());
+}
+
+TEST_F(ExchangeExamples, pvd_has_everything_and_its_parts_their_names) {
+    OPEN_OR_SKIP(model, "vtk/stack.pvd");
+    EXPECT_EQ(model->inputs().size(), 5U);
+    expect_example(*model, stack_example(), {});
+    EXPECT_TRUE(diagnostics().entries().empty());
+}
+
+TEST_F(ExchangeExamples, pieces_of_a_pvtu_are_joined_where_their_ids_are_the_same) {
+    OPEN_OR_SKIP(model, "vtk/stack.pvtu");
+    EXPECT_EQ(model->inputs().size(), 3U);
+    // A piece without an array takes it from all others: VTK reads what all pieces have.
+    expect_example(
+        *model, stack_example(), {.parts = Kept::Parts::None, .steps = {0}, .times = false, .damage = false}
+    );
+}
+
+}  // namespace
+}  // namespace feelem
