@@ -28,8 +28,9 @@ for harness in "${harnesses[@]}"; do
         "$bin/$harness" "${common[@]}" -merge=1 "$work/least" "$work/$harness" "tests/data/fuzz_corpus/$harness" "$work/seeds" \
             >"$work/$harness-merge.log" 2>&1 || status=1
         rm -rf "tests/data/fuzz_corpus/$harness"; mkdir "tests/data/fuzz_corpus/$harness"
-        # Small ones: the repository stays small, and large ones are cuts of the examples anyway.
-        find "$work/least" -type f -size -3k -exec cp {} "tests/data/fuzz_corpus/$harness/" \;
+        # The smallest ones: the repository stays small, and large ones are cuts of the examples anyway.
+        find "$work/least" -type f -size -2049c -printf '%s %p\n' | sort -n | head -n 200 | cut -d ' ' -f 2- |
+            xargs -r cp -t "tests/data/fuzz_corpus/$harness"
     fi
     rmdir --ignore-fail-on-non-empty "tests/data/fuzz_corpus/$harness" tests/data/fuzz_corpus
 done
