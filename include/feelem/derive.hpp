@@ -30,8 +30,13 @@ std::vector<std::string_view> derivable_components(const ResultInfo& info);
 /// Error(UnknownName).
 Result component_of(const Result& result, std::string_view component);
 
-/// Element-nodal -> part-nodal (Averaging::Part) or nodal (Averaging::All): arithmetic mean at each node; NaN
-/// rows do not count. Other results come back unchanged.
+/// What averaging makes of an element-nodal result, without its values: part-nodal (Averaging::Part) or nodal
+/// (Averaging::All). Invariants that the file lists of each element are left out: those of the averaged
+/// components are derived (decision 0009). Only Averaging::None results are averaged: others come back
+/// unchanged, those along the axes of each element, too.
+ResultInfo averaged_info(const ResultInfo& info, Averaging averaging);
+
+/// The arithmetic mean of the elements' values at each node; NaN rows do not count. As averaged_info().
 Result average(const Mesh& mesh, const Result& result, Averaging averaging);
 
 /// Turns vectors and tensors in rotated nodal systems into the global one (Mesh::node_angles); others

@@ -87,6 +87,7 @@ struct ResultInfo {
     std::string system;  ///< "cylindrical:OX,OY,OZ,AX,AY,AZ"; empty: that of the file or the global one.
     bool nodal_system = false;  ///< Components are in rotated nodal systems (Mesh::node_angles).
     bool corner_only = false;   ///< The solver lists corner nodes only (PRNSOL,S): decision 0010.
+    bool on_request = false;    ///< Shown when it is named, or all are asked for (volumes of elements).
 };
 
 /// Values as the solver gave them, rounded once to float; NaN = missing.

@@ -48,12 +48,8 @@ std::uint64_t count_missing(const Mesh& mesh, const Result& result, std::size_t 
 }  // namespace
 
 ResultInfo prepared_info(const ResultInfo& info, Averaging averaging) {
-    ResultInfo prepared = info;
+    ResultInfo prepared = averaged_info(info, averaging);
     prepared.nodal_system = false;
-    if (info.location != Location::ElementNodal) return prepared;
-    prepared.averaging = averaging;
-    if (averaging == Averaging::Part) prepared.location = Location::PartNodal;
-    if (averaging == Averaging::All) prepared.location = Location::Nodal;
     return prepared;
 }
 

@@ -163,7 +163,7 @@ PreparedSource::PreparedSource(
     steps_.assign(steps.begin(), steps.end());
     for (const std::size_t i : results) {
         const ResultInfo& info = source.results()[i];
-        const bool is_averaged = info.location == Location::ElementNodal;
+        const bool is_averaged = info.averaging == Averaging::None;
         for (const Averaging averaging :
              is_averaged ? preparing_.averages : std::vector{Averaging::NotApplicable}) {
             add(i, averaging, nullptr);

@@ -128,7 +128,8 @@ std::optional<ModelReport> report_model(const Job& job, Diagnostics& diagnostics
         if (!job.brief) report.skin = describe_skin(source->mesh(), job, diagnostics);
 
         const auto steps = select_steps(source->steps(), job.steps, DefaultSteps::All, diagnostics);
-        PreparedSource shown(*source, select_results(*source, steps, job.results), preparing_of(job));
+        const std::string_view wanted = job.results.empty() ? "all" : std::string_view(job.results);
+        PreparedSource shown(*source, select_results(*source, steps, wanted), preparing_of(job));
         describe_results(shown, steps, progress, report);
         report_progress(progress, "results", 1);
         return report;

@@ -177,7 +177,9 @@ std::vector<std::size_t> select_results(
     const bool all = text.empty() || text == "all";
     const std::vector<std::string_view> wanted = all ? std::vector<std::string_view>{} : split(text, ',');
     std::set<std::size_t> chosen;
-    for (std::size_t i = 0; all && i < results.size(); ++i) chosen.insert(i);
+    for (std::size_t i = 0; all && i < results.size(); ++i) {
+        if (!results[i].on_request || !text.empty()) chosen.insert(i);
+    }
     for (const std::string_view name : wanted) {
         bool known = false;
         for (std::size_t i = 0; i < results.size(); ++i) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace feelem {
 namespace {
@@ -29,31 +31,49 @@ std::vector<std::uint32_t> sorted_by(std::span<const std::uint32_t> rows, std::s
     return out;
 }
 
-/// The mean of some rows, component by component; NaN does not count.
-void add_mean(const Result& result, std::span<const std::uint32_t> rows, float* out) {
+/// The mean of some rows of some columns; NaN does not count.
+void add_mean(
+    const Result& result,
+    std::span<const std::size_t> columns,
+    std::span<const std::uint32_t> rows,
+    float* out
+) {
     const std::size_t width = result.component_count();
-    for (std::size_t c = 0; c < width; ++c) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
         double sum = 0;
         std::size_t count = 0;
         for (const std::uint32_t row : rows) {
-            const float value = result.values[row * width + c];
+            const float value = result.values[row * width + columns[k]];
             if (std::isnan(value)) continue;
             sum += static_cast<double>(value);
             ++count;
         }
-        out[c] = count == 0 ? std::numeric_limits<float>::quiet_NaN()
+        out[k] = count == 0 ? std::numeric_limits<float>::quiet_NaN()
                             : static_cast<float>(sum / static_cast<double>(count));
     }
 }
 
+bool is_averaged(const ResultInfo& info, Averaging averaging) {
+    return info.location == Location::ElementNodal && info.averaging == Averaging::None &&
+           (averaging == Averaging::Part || averaging == Averaging::All);
+}
+
 }  // namespace
 
-Result average(const Mesh& mesh, const Result& result, Averaging averaging) {
-    const bool by_part = averaging == Averaging::Part;
-    if (result.info.location != Location::ElementNodal || (!by_part && averaging != Averaging::All))
-        return result;
+ResultInfo averaged_info(const ResultInfo& info, Averaging averaging) {
+    if (!is_averaged(info, averaging)) return info;
+    ResultInfo out = info;
+    out.averaging = averaging;
+    out.location = averaging == Averaging::Part ? Location::PartNodal : Location::Nodal;
+    for (const Derivation& derivation : derivations()) {
+        if (derivation.applies(info)) std::erase(out.components, derivation.name);
+    }
+    return out;
+}
 
-    const std::size_t width = result.component_count();
+Result average(const Mesh& mesh, const Result& result, Averaging averaging) {
+    if (!is_averaged(result.info, averaging)) return result;
+    const bool by_part = averaging == Averaging::Part;
     const std::vector<std::uint32_t> part_of = part_of_elements(mesh);
     const std::size_t row_count =
         std::min({result.row_count(), result.row_owner.size(), result.row_node.size()});
@@ -69,9 +89,11 @@ Result average(const Mesh& mesh, const Result& result, Averaging averaging) {
     if (by_part) rows = sorted_by(rows, mesh.parts.size(), part);
 
     Result out;
-    out.info = result.info;
-    out.info.averaging = averaging;
-    out.info.location = by_part ? Location::PartNodal : Location::Nodal;
+    out.info = averaged_info(result.info, averaging);
+    std::vector<std::size_t> columns;
+    for (const std::string& name : out.info.components)
+        columns.push_back(static_cast<std::size_t>(component_index(result.info, name)));
+    const std::size_t width = columns.size();
     if (!by_part) out.values.assign(mesh.node_count() * width, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t first = 0; first < rows.size();) {
         const NodeIndex node = result.row_node[rows[first]];
@@ -85,7 +107,7 @@ Result average(const Mesh& mesh, const Result& result, Averaging averaging) {
             out.row_owner.push_back(owner);
             out.row_node.push_back(node);
         }
-        add_mean(result, std::span(rows).subspan(first, last - first), out.values.data() + place);
+        add_mean(result, columns, std::span(rows).subspan(first, last - first), out.values.data() + place);
         first = last;
     }
     return out;

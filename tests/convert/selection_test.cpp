@@ -89,6 +89,17 @@ TEST(Results, are_chosen_by_name_and_file) {
     EXPECT_THROW(select_results(source, {0, 1}, "temperature@c.frd"), Error);
 }
 
+TEST(Results, on_request_are_taken_when_they_are_named_or_all_are_asked_for) {
+    MadeUpSource source;
+    source.add(0, 1, 1);
+    source.add(0, 1, 2);
+    source.made_results.back().on_request = true;
+
+    EXPECT_THAT(select_results(source, {0, 1}, ""), ElementsAre(0));
+    EXPECT_THAT(select_results(source, {0, 1}, "all"), ElementsAre(0, 1));
+    EXPECT_THAT(select_results(source, {0, 1}, "temperature"), ElementsAre(0, 1));
+}
+
 TEST(Range, smallest_id_on_a_tie_also_across_parts) {
     const Mesh mesh = brick_grid(1, 1, 1);
     Result result;

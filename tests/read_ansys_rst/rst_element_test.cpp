@@ -98,12 +98,32 @@ TEST(RstElement, element_without_a_record_has_no_row_and_a_negative_pointer_mean
     EXPECT_THAT(row_at(opened, strain, 1, 120), ElementsAre(0, 0, 0, 0, 0, 0));
 }
 
-TEST(RstElement, principal_stresses_of_old_files_are_passed_over) {
-    WrittenModel model = bricks_with({{0, kStress, rows(8, 11, 1), 0}});
+TEST(RstElement, invariants_of_old_files_are_components_of_elements_and_are_derived_anew_of_averages) {
+    WrittenModel model = bricks_with({{0, kStress, rows(8, 11, 1), 0}, {0, kEuler, {90, 0, 0}, 0}});
     model.has_principal = true;
     const OpenedRst opened = open_written(model);
     const Result stress = load_wanted(opened, {"stress"});
-    EXPECT_THAT(row_at(opened, stress, 0, 50), ElementsAre(21, 22, 23, 24, 25, 26));
+    EXPECT_THAT(
+        stress.info.components,
+        ElementsAre(
+            "xx",
+            "yy",
+            "zz",
+            "xy",
+            "yz",
+            "zx",
+            "principal_1",
+            "principal_2",
+            "principal_3",
+            "tresca",
+            "von_mises"
+        )
+    );
+    // Turned about z; what does not depend on axes stays.
+    EXPECT_THAT(row_at(opened, stress, 0, 50), ElementsAre(22, 21, 23, -24, 26, -25, 27, 28, 29, 30, 31));
+    const Result parts = average(opened.model->mesh(), stress, Averaging::Part);
+    EXPECT_EQ(parts.info.components.size(), 6u);
+    EXPECT_EQ(parts.values.size(), 6 * parts.row_count());
 }
 
 TEST(RstElement, values_along_the_elements_axes_are_turned_into_the_global_ones) {
@@ -211,13 +231,6 @@ TEST(RstElement, flux_is_heat_when_temperature_is_the_only_field) {
     model.dofs = {20, 21};  // Of two fields one record holds both.
     EXPECT_FALSE(test::has_wanted(open_written(model), {"heat_flux"}));
     EXPECT_FALSE(test::has_wanted(open_written(model), {"electric_flux_density"}));
-}
-
-TEST(RstElement, beams_have_no_stress_tensor_at_corners) {
-    WrittenModel model = bricks_with({{0, kStress, rows(9, 6, 0), 0}});
-    model.types = {{188, 2, 0, 0}};
-    model.elements = {{1, 1, 1, {10, 20, 50}}};
-    EXPECT_FALSE(test::has_wanted(open_written(model), {"stress"}));
 }
 
 TEST(RstElement, records_shared_by_all_elements_cannot_cost_time) {

@@ -317,6 +317,7 @@ private:
     static bool is_shown(const ResultInfo& info) {
         // Reactions on the sides of a sector are those of its neighbours.
         return info.complex == Complex::No && !info.name.starts_with("reaction") &&
+               info.location != Location::Elemental &&
                (info.components.size() == 1 || is_vector(info) || is_tensor(info));
     }
 
@@ -442,7 +443,7 @@ private:
             Code::ResultForPartOfModel,
             sector_->records().input().name(),
             "results are left out in the expanded model: reactions, parts of complex responses, vectors with "
-            "components missing",
+            "components missing, values of whole elements and of beams",
             left_out
         );
     }

@@ -47,6 +47,8 @@ public:
         merged.info = infos_.at(index);
         if (merged.info.location == Location::Nodal) {
             load_nodal(index, merged);
+        } else if (merged.info.location == Location::Elemental) {
+            load_elemental(index, merged);
         } else {
             load_of_elements(index, merged);
         }
@@ -196,6 +198,23 @@ private:
                 ),
                 count
             );
+        }
+    }
+
+    /// An element stands in one file; should it stand in two, the first has its value.
+    void load_elemental(std::size_t index, Result& merged) {
+        const std::size_t width = merged.component_count();
+        merged.values.assign(mesh_.element_count() * width, std::numeric_limits<float>::quiet_NaN());
+        for (const Source& source : sources_[index]) {
+            const Result part = domains_[source.domain]->load(source.index);
+            const auto& places = element_place_[source.domain];
+            for (std::size_t row = 0; row < part.row_count() && row < places.size(); ++row) {
+                if (places[row] == kNoElement) continue;
+                for (std::size_t c = 0; c < width; ++c) {
+                    float& there = merged.values[raw(places[row]) * width + c];
+                    if (std::isnan(there)) there = part.values[row * width + c];
+                }
+            }
         }
     }
 

@@ -9,10 +9,7 @@
 
 #include "model/rotation.hpp"
 #include "read/ansys/rst_layers.hpp"
-
-#include "feelem/error.hpp"
-
-#include <fmt/format.h>
+#include "read/ansys/rst_tables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,10 +52,8 @@ constexpr std::array kQuantities{
     ElementQuantity{Item::Flux, 11, 3, "electric_flux_density", "D", Shape::Vector, Field::Electric},
     ElementQuantity{Item::Gradient, 5, 3, "electric_field", "EF", Shape::Vector, Field::Electric},
 };
-constexpr std::size_t kEulerEntry = 10;
-constexpr std::size_t kTableEntries = 64;  ///< 25 or 26 in real files.
-/// 250 layers with three surfaces of eight corners with eleven values.
-constexpr std::size_t kMostValues = 1u << 16;
+/// S1 S2 S3 SINT SEQV, which old files store behind the stresses of a corner.
+constexpr std::array kInvariants{"principal_1", "principal_2", "principal_3", "tresca", "von_mises"};
 
 bool has_layers(const ElementKindOfFile& kind) {
     return kind.name && kind.name->kind == ansys::ElementKind::Shell;
@@ -92,7 +87,9 @@ bool is_field(const ResultSet& set, Field field) {
 class Lister {
 public:
     Lister(const ResultSets& sets, const ResultHeader& header, const FileMesh& mesh)
-        : sets_(sets), units_(units_of(header.units)) {
+        : sets_(sets), units_(units_of(header.units)),
+          // Sectors are put together of what turns with them.
+          invariants_(header.has_principal && header.sectors <= 1) {
         std::vector<bool> used(mesh.kinds.size());
         for (const FileElement& element : mesh.elements)
             used[element.kind] = used[element.kind] || element.index != kNoElement;
@@ -139,6 +136,8 @@ private:
             info.components = {"xx", "yy", "zz", "xy", "yz", "zx"};
             if (quantity.item == Item::Stress) {
                 if (!free_size) info.unit = units_.stress;
+                const auto more = invariants_ ? kInvariants.end() : kInvariants.begin();
+                info.components.insert(info.components.end(), kInvariants.begin(), more);
             } else {
                 info.shear = Shear::Engineering;
             }
@@ -156,21 +155,19 @@ private:
     const ResultSets& sets_;
     Units units_;
     bool any_ = false, shells_ = false, middles_ = false, quadratic_ = false;
+    bool invariants_;
     std::vector<ElementResult> out_;
 };
 
 class ValueReader {
 public:
     ValueReader(const ElementSource& source, const ResultSet& set, const ElementResult& result)
-        : source_(source), records_(source.records), set_(set), info_(result.info),
-          quantity_(*result.quantity), width_(result.info.components.size()),
+        : source_(source), info_(result.info), quantity_(*result.quantity),
+          width_(result.info.components.size()),
           stored_(quantity_.item == Item::Stress && source.header.has_principal ? 11 : quantity_.stored),
-          // Real files name a record once; damaged ones may name one a million times.
-          left_(64 * std::uint64_t{records_.words()} + (1u << 20)) {}
+          tables_(source.records, set, source.mesh.element_count, result.info.name) {}
 
     ElementValues read() {
-        records_.unpack(records_.find(set_.elements), 2 * source_.mesh.element_count, index_);
-        if (index_.size() < source_.mesh.element_count) bad("the index of elements is too short");
         for (const std::uint32_t at : source_.order) read_element(source_.mesh.elements[at]);
         return std::move(out_);
     }
@@ -179,13 +176,7 @@ private:
     void read_element(const FileElement& element) {
         const ElementKindOfFile& kind = source_.mesh.kinds[element.kind];
         if (!has_values(kind) || (has_layers(kind) && quantity_.shape == Shape::Vector)) return;
-        const bool is_wide = index_.size() >= 2 * source_.mesh.element_count;
-        const Word offset = is_wide ? wide(index_[2 * element.place], index_[2 * element.place + 1])
-                                    : wide(index_[element.place], 0);
-        if (offset == 0) return;
-        table_at_ = set_.elements + offset;
-        records_.unpack(records_.find(table_at_), kTableEntries, table_);
-        if (!read_entry(quantity_.entry, values_)) return;
+        if (!tables_.go_to(element.place) || !tables_.read(quantity_.entry, values_)) return;
         const auto plan = has_layers(kind) ? plan_shell(kind, values_.size() / stored_, info_.layer)
                                            : plan_solid(kind, values_.size() / stored_);
         if (!plan || values_.size() % stored_ != 0) {
@@ -195,7 +186,7 @@ private:
         if (plan->corners.empty()) return;
         const std::span<const NodeIndex> corners =
             std::span(source_.mesh.corners).subspan(element.first_corner, element.corner_count);
-        if (!read_entry(kEulerEntry, angles_)) angles_.clear();
+        if (!tables_.read(kEulerEntry, angles_)) angles_.clear();
         if (!axes_.read(angles_, corners, plan->layers)) {
             ++out_.not_understood;
             return;
@@ -211,15 +202,20 @@ private:
 
     void add_row(const FileElement& element, std::size_t corner, const RowPlan::Corner& place) {
         const double* row = values_.data() + place.row * stored_;
-        std::array<double, 6> values{};
+        std::array<double, 11> values{};
         std::copy_n(row, width_, values.begin());
         if (!axes_.is_global()) turn(axes_.axes(corner, place.in_last_layer), values);
         out_.row_owner.push_back(raw(element.index));
         out_.row_node.push_back(source_.mesh.corners[element.first_corner + corner]);
-        for (std::size_t c = 0; c < width_; ++c) out_.values.push_back(stored_value(values[c]));
+        for (std::size_t c = 0; c < width_; ++c) {
+            const StoredValue stored = stored_value(values[c]);
+            out_.values.push_back(stored.value);
+            if (!stored.is_number) ++out_.without_number;
+        }
     }
 
-    void turn(const Matrix3& axes, std::array<double, 6>& values) const {
+    /// Invariants behind a tensor are the same in all axes.
+    void turn(const Matrix3& axes, std::array<double, 11>& values) const {
         if (quantity_.shape == Shape::Vector) {
             const auto turned = to_global(axes, std::array<double, 3>{values[0], values[1], values[2]});
             std::ranges::copy(turned, values.begin());
@@ -227,61 +223,30 @@ private:
         }
         // Engineering shear is twice the tensor's.
         const double shear = info_.shear == Shear::Engineering ? 2 : 1;
-        for (std::size_t i = 3; i < 6; ++i) values[i] /= shear;
-        values = to_global(axes, Tensor6(values));
-        for (std::size_t i = 3; i < 6; ++i) values[i] *= shear;
-    }
-
-    float stored_value(double value) {
-        constexpr double kNoValue = 1e30;
-        const auto rounded = static_cast<float>(value);
-        if (std::isfinite(rounded) && std::abs(value) < kNoValue) return rounded;
-        if (!std::isfinite(value)) ++out_.without_number;
-        return std::numeric_limits<float>::quiet_NaN();
-    }
-
-    /// False when the element has no such record.
-    bool read_entry(std::size_t entry, std::vector<double>& values) {
-        const std::int32_t place = entry <= table_.size() ? table_[entry - 1] : 0;
-        if (place == 0) return false;
-        if (place < 0) {
-            // Not stored: so many zeros.
-            values.assign(
-                std::min<std::size_t>(static_cast<std::uint32_t>(-std::int64_t{place}), kMostValues), 0
-            );
-        } else {
-            records_.unpack(
-                records_.find(table_at_ + static_cast<std::uint32_t>(place)), kMostValues, values
-            );
-        }
-        if (values.size() > left_) bad("elements share more records than the file can hold");
-        left_ -= values.size();
-        return true;
-    }
-
-    [[noreturn]] void bad(const std::string& text) const {
-        throw Error(
-            Code::BadStructure,
-            records_.where(table_at_ != 0 ? table_at_ : set_.elements),
-            fmt::format("{} ({}): the file is damaged", text, info_.name)
-        );
+        Tensor6 tensor{};
+        for (std::size_t i = 0; i < 6; ++i) tensor[i] = values[i] / (i < 3 ? 1 : shear);
+        tensor = to_global(axes, tensor);
+        for (std::size_t i = 0; i < 6; ++i) values[i] = tensor[i] * (i < 3 ? 1 : shear);
     }
 
     const ElementSource& source_;
-    const Records& records_;
-    const ResultSet& set_;
     const ResultInfo& info_;
     const ElementQuantity& quantity_;
     std::size_t width_, stored_;
-    std::uint64_t left_;
-    std::vector<std::int32_t> index_, table_;
-    Word table_at_ = 0;
+    ElementTables tables_;
     std::vector<double> values_, angles_;
     ElementAxes axes_;
     ElementValues out_;
 };
 
 }  // namespace
+
+StoredValue stored_value(double value) {
+    constexpr double kNoValue = 1e30;
+    const auto rounded = static_cast<float>(value);
+    if (std::isfinite(rounded) && std::abs(value) < kNoValue) return {rounded, true};
+    return {std::numeric_limits<float>::quiet_NaN(), std::isfinite(value)};
+}
 
 std::vector<ElementResult> list_element_results(
     const ResultSets& sets, const ResultHeader& header, const FileMesh& mesh
@@ -296,10 +261,10 @@ std::vector<std::uint32_t> elements_in_mesh_order(const FileMesh& mesh) {
     }
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return mesh.elements[i].index; });
     // An id that stands twice in a damaged file: the first one has the results.
-    const auto same = [&](std::uint32_t a, std::uint32_t b) {
+    const auto is_same = [&](std::uint32_t a, std::uint32_t b) {
         return mesh.elements[a].index == mesh.elements[b].index;
     };
-    order.erase(std::unique(order.begin(), order.end(), same), order.end());
+    order.erase(std::unique(order.begin(), order.end(), is_same), order.end());
     return order;
 }
 

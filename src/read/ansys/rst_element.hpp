@@ -30,6 +30,13 @@ std::vector<ElementResult> list_element_results(
     const ResultSets& sets, const ResultHeader& header, const FileMesh& mesh
 );
 
+/// A number of a record as Feelem keeps it: 2^100 and what is none is missing.
+struct StoredValue {
+    float value = 0;
+    bool is_number = true;
+};
+StoredValue stored_value(double value);
+
 struct ElementValues {
     std::vector<float> values;
     std::vector<std::uint32_t> row_owner;

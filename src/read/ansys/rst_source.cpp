@@ -25,25 +25,41 @@ RstSource::RstSource(Input input, Diagnostics& diagnostics)
 
 Result RstSource::load(std::size_t index) {
     const Listed& listed = listed_.at(index);
-    Result result;
-    result.info = infos_[index];
-    if (listed.of_elements) {
-        const ElementResult& element = elements_[listed.place];
-        const ElementSource source{records_, header_, file_mesh_, element_order_};
-        ElementValues values = read_element_values(source, sets_.sets[element.set], element);
-        report(index, 0, values.without_number);
-        report_elements(index, values.not_understood);
-        result.values = std::move(values.values);
-        result.row_owner = std::move(values.row_owner);
-        result.row_node = std::move(values.row_node);
-    } else {
-        const NodalResult& nodal = nodal_[listed.place];
-        NodalValues values = read_nodal_values(records_, sets_.sets[nodal.set], nodal, mesh(), row_nodes_);
-        report(index, values.without_node, values.without_number);
-        result.values = std::move(values.values);
-    }
+    if (listed.group == Group::Nodal) return load_nodal(index);
+    ElementValues values = load_of_elements(listed);
+    report(index, 0, values.without_number);
+    report_elements(index, values.not_understood);
     reported_[index] = true;
-    return result;
+    return {infos_[index], std::move(values.values), std::move(values.row_owner), std::move(values.row_node)};
+}
+
+Result RstSource::load_nodal(std::size_t index) {
+    const NodalResult& nodal = nodal_[listed_[index].place];
+    NodalValues values = read_nodal_values(records_, sets_.sets[nodal.set], nodal, mesh(), row_nodes_);
+    report(index, values.without_node, values.without_number);
+    reported_[index] = true;
+    return {infos_[index], std::move(values.values), {}, {}};
+}
+
+ElementValues RstSource::load_of_elements(const Listed& listed) const {
+    const ElementSource source = element_source();
+    const auto set_of = [this](const auto& result) -> const ResultSet& { return sets_.sets[result.set]; };
+    switch (listed.group) {
+    case Group::Element: {
+        const ElementResult& result = elements_[listed.place];
+        return read_element_values(source, set_of(result), result);
+    }
+    case Group::Beam: {
+        const BeamResult& result = beams_[listed.place];
+        return read_beam_values(source, set_of(result), result);
+    }
+    case Group::Energy: {
+        const EnergyResult& result = energies_[listed.place];
+        return read_energy(source, set_of(result), result);
+    }
+    case Group::Nodal: break;
+    }
+    return {};
 }
 
 void RstSource::find_row_nodes() {
@@ -62,10 +78,17 @@ void RstSource::list_results() {
     } else {
         note_averages();
     }
+    element_order_ = elements_in_mesh_order(file_mesh_);
     elements_ = list_element_results(sets_, header_, file_mesh_);
-    if (!elements_.empty()) element_order_ = elements_in_mesh_order(file_mesh_);
-    for (std::size_t i = 0; i < nodal_.size(); ++i) listed_.push_back({false, i});
-    for (std::size_t i = 0; i < elements_.size(); ++i) listed_.push_back({true, i});
+    beams_ = list_beam_results(sets_, header_, file_mesh_, records_.input().name(), diagnostics_);
+    energies_ = list_energies(sets_, element_source());
+    const auto list_all = [this](Group group, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) listed_.push_back({group, i});
+    };
+    list_all(Group::Nodal, nodal_.size());
+    list_all(Group::Element, elements_.size());
+    list_all(Group::Beam, beams_.size());
+    list_all(Group::Energy, energies_.size());
     std::ranges::stable_sort(listed_, {}, [this](const Listed& listed) { return info_of(listed).step; });
     for (const Listed& listed : listed_) {
         infos_.push_back(info_of(listed));
@@ -74,7 +97,13 @@ void RstSource::list_results() {
 }
 
 const ResultInfo& RstSource::info_of(const Listed& listed) const {
-    return listed.of_elements ? elements_[listed.place].info : nodal_[listed.place].info;
+    switch (listed.group) {
+    case Group::Element: return elements_[listed.place].info;
+    case Group::Beam: return beams_[listed.place].info;
+    case Group::Energy: return energies_[listed.place].info;
+    case Group::Nodal: break;
+    }
+    return nodal_[listed.place].info;
 }
 
 void RstSource::make_unique(ResultInfo& info) {

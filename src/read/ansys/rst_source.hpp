@@ -2,7 +2,9 @@
 // One result file as a ModelSource: heads are read on opening, values on demand.
 #pragma once
 
+#include "read/ansys/rst_beams.hpp"
 #include "read/ansys/rst_element.hpp"
+#include "read/ansys/rst_energies.hpp"
 #include "read/ansys/rst_header.hpp"
 #include "read/ansys/rst_mesh.hpp"
 #include "read/ansys/rst_nodal.hpp"
@@ -37,9 +39,15 @@ public:
     const ResultSets& sets() const noexcept { return sets_; }
 
 private:
-    /// A result by its kind and place among those.
+    enum class Group : std::uint8_t {
+        Nodal,
+        Element,
+        Beam,
+        Energy
+    };
+    /// A result by its group and place there.
     struct Listed {
-        bool of_elements = false;
+        Group group = Group::Nodal;
         std::size_t place = 0;
     };
 
@@ -48,6 +56,9 @@ private:
     void make_unique(ResultInfo& info);
     void note_averages();
     const ResultInfo& info_of(const Listed& listed) const;
+    ElementSource element_source() const { return {records_, header_, file_mesh_, element_order_}; }
+    Result load_nodal(std::size_t index);
+    ElementValues load_of_elements(const Listed& listed) const;
     void report(std::size_t index, std::uint64_t without_node, std::uint64_t without_number);
     void report_elements(std::size_t index, std::uint64_t not_understood);
 
@@ -61,6 +72,8 @@ private:
     std::vector<Listed> listed_;
     std::vector<NodalResult> nodal_;
     std::vector<ElementResult> elements_;
+    std::vector<BeamResult> beams_;
+    std::vector<EnergyResult> energies_;
     std::vector<std::uint32_t> element_order_;
     std::vector<bool> reported_;
     std::map<std::tuple<std::uint32_t, Layer, Complex, std::string>, int> names_;

@@ -15,6 +15,7 @@ namespace feelem::rst {
 
 /// Bits of AvailData: what a set says that it holds.
 enum class Item : std::uint8_t {
+    Summable = 1,       ///< EMS
     Stress = 3,         ///< ENS
     Energy = 4,         ///< ENG
     Gradient = 5,       ///< EGR
@@ -24,6 +25,7 @@ enum class Item : std::uint8_t {
     ThermalStrain = 9,  ///< ETH
     EulerAngles = 10,   ///< EUL
     Flux = 11,          ///< EFX
+    NotSummable = 13,   ///< EMN
 };
 
 struct ResultSet {
