@@ -9,9 +9,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <map>
+#include <numbers>
 #include <string>
+#include <vector>
 
 namespace feelem {
 namespace {
@@ -183,6 +187,135 @@ TEST(NastranOp2, complex_stresses_and_strains_of_solids_obey_the_law_of_elastici
         }
     }
     EXPECT_EQ(pairs, 14U);  // Seven frequencies, real and imaginary.
+}
+
+/// A complex result of one step, by its name, layer and part; empty when the file has none.
+Result load_complex(
+    ModelSource& model,
+    std::uint32_t step,
+    const std::string& name,
+    Layer layer,
+    Complex part,
+    std::size_t width
+) {
+    for (std::size_t i = 0; i < model.results().size(); ++i) {
+        const ResultInfo& info = model.results()[i];
+        if (info.step == step && info.name == name && info.layer == layer && info.complex == part &&
+            info.components.size() == width)
+            return model.load(i);
+    }
+    return {};
+}
+
+/// One part of a result as complex numbers: amplitudes and phases are put together first.
+std::vector<std::complex<double>> numbers_of(
+    ModelSource& model,
+    bool polar,
+    std::uint32_t step,
+    const std::string& name,
+    Layer layer,
+    std::size_t width
+) {
+    const Result a =
+        load_complex(model, step, name, layer, polar ? Complex::Amplitude : Complex::Real, width);
+    const Result b =
+        load_complex(model, step, name, layer, polar ? Complex::Phase : Complex::Imaginary, width);
+    EXPECT_EQ(a.values.size(), b.values.size());
+    std::vector<std::complex<double>> out;
+    for (std::size_t i = 0; i < std::min(a.values.size(), b.values.size()); ++i) {
+        out.push_back(
+            polar ? std::polar<double>(a.values[i], b.values[i] * std::numbers::pi / 180)
+                  : std::complex<double>(a.values[i], b.values[i])
+        );
+    }
+    return out;
+}
+
+double largest_of(const std::vector<std::complex<double>>& values) {
+    double largest = 0;
+    for (const auto& value : values) largest = std::fmax(largest, std::abs(value));
+    return largest;
+}
+
+/// Plates: the fibres lie half the thickness from the middle, on the side that Nastran's curvature says.
+TEST(NastranOp2, complex_stresses_and_strains_of_shells_obey_the_law_of_elasticity) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    constexpr double kModulus = 2.9e7, kRatio = 0.32, kHalfThickness = 0.125;
+    constexpr double kStiff = kModulus / (1 - kRatio * kRatio), kShear = kModulus / (2 * (1 + kRatio));
+    struct ComplexFile {
+        const char* path;
+        bool polar;
+        std::size_t shells, moving;  ///< Over all steps; and those that are not all zero.
+    };
+    for (const auto& [path, polar, expected, expected_moving] : {
+             ComplexFile{"models/sol_101_elements/freq_solid_shell_bar.op2", false, 42, 6},
+             ComplexFile{"models/elements/modes_complex_elements.op2", false, 32, 8},
+             ComplexFile{"models/elements/freq_random_elements.op2", false, 40, 8},
+             ComplexFile{"models/elements/freq_elements2.op2", true, 40, 8},
+         }) {
+        SCOPED_TRACE(path);
+        Diagnostics diagnostics;
+        const auto model = open_corpus(path, diagnostics);
+        std::size_t shells = 0, moving = 0;
+        for (std::uint32_t step = 0; step < model->steps().size(); ++step) {
+            const auto bottom = numbers_of(*model, polar, step, "stress", Layer::Bottom, 3);
+            const auto top = numbers_of(*model, polar, step, "stress", Layer::Top, 3);
+            const auto middle = numbers_of(*model, polar, step, "strain", Layer::Middle, 3);
+            const auto curvature = numbers_of(*model, polar, step, "curvature", Layer::No, 3);
+            ASSERT_EQ(bottom.size(), middle.size());
+            const double most = 1e-5 * largest_of(bottom);
+            for (std::size_t i = 0; i + 2 < bottom.size(); i += 3) {
+                const ElementIndex element{static_cast<std::uint32_t>(i / 3)};
+                const PartIndex part = element_at(model->mesh(), element).part();
+                // The others are composites.
+                if (model->mesh().parts[raw(part)].name != "property 4" || std::isnan(bottom[i].real()))
+                    continue;
+                ++shells;
+                if (std::abs(bottom[i]) > 0) ++moving;
+                for (const double z : {-kHalfThickness, kHalfThickness}) {
+                    const auto& fibre = z < 0 ? bottom : top;
+                    std::array<std::complex<double>, 3> e;
+                    for (std::size_t c = 0; c < 3; ++c) e[c] = middle[i + c] - z * curvature[i + c];
+                    EXPECT_LE(std::abs(fibre[i] - kStiff * (e[0] + kRatio * e[1])), most) << i;
+                    EXPECT_LE(std::abs(fibre[i + 1] - kStiff * (e[1] + kRatio * e[0])), most) << i;
+                    EXPECT_LE(std::abs(fibre[i + 2] - kShear * e[2]), most) << i;
+                }
+            }
+        }
+        EXPECT_EQ(shells, expected);
+        EXPECT_EQ(moving, expected_moving);
+    }
+}
+
+/// One job written twice: with real and imaginary parts, and with amplitudes, phases and von Mises values.
+TEST(NastranOp2, amplitudes_and_phases_are_the_real_and_imaginary_parts_of_the_same_job) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    Diagnostics diagnostics;
+    const auto parts = open_corpus("models/elements/freq_random_elements.op2", diagnostics);
+    const auto polar = open_corpus("models/elements/freq_elements2.op2", diagnostics);
+    constexpr std::uint32_t kResonance = 4;  // Nothing moves at the other frequencies.
+    ASSERT_EQ(parts->steps()[kResonance].value, 40);
+    ASSERT_EQ(polar->steps()[kResonance].value, 40);
+    for (const auto& [name, layer, width] :
+         {std::tuple{"stress", Layer::Bottom, 3U},
+          {"stress", Layer::Top, 3U},
+          {"strain", Layer::Middle, 3U},
+          {"curvature", Layer::No, 3U},
+          {"stress", Layer::No, 6U}}) {
+        SCOPED_TRACE(name);
+        const auto a = numbers_of(*parts, false, kResonance, name, layer, width);
+        const auto b = numbers_of(*polar, true, kResonance, name, layer, width);
+        ASSERT_EQ(a.size(), b.size());
+        std::size_t compared = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            // The second file has no CQUADR and CTRIAR: they are composites there.
+            if (std::isnan(a[i].real()) || std::isnan(b[i].real())) continue;
+            ++compared;
+            EXPECT_LE(std::abs(a[i] - b[i]), 1e-6 * largest_of(a)) << i;
+        }
+        EXPECT_GE(compared, 24U);
+        EXPECT_GT(largest_of(a), 0);
+    }
 }
 
 }  // namespace

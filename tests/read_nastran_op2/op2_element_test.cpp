@@ -10,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace feelem {
 namespace {
@@ -152,6 +155,236 @@ TEST(Op2, layers_of_shells_go_by_the_fibres_distance) {
     EXPECT_EQ(model->load(1).values[0], 40.5F);
     const Result axial = model->load(2);
     EXPECT_EQ(std::ranges::count(axial.values, 77.F), 1);
+}
+
+/// Words of one element, with that number or step in front.
+Op2Words shell_row(Op2Word first, double base) {
+    Op2Words words{std::move(first)};
+    for (const double side : {-1., 1.}) {
+        for (const double value : {side, 0., 0., 0., 0., base + 3, base + 4, base + side})
+            words.emplace_back(value);
+    }
+    return words;
+}
+
+TEST(Op2, blocks_sorted_by_element_give_what_those_sorted_by_step_give) {
+    constexpr int kTransient = 6, kSorted = 2000;
+    Op2Writer by_step, by_element;
+    for (Op2Writer* writer : {&by_step, &by_element}) {
+        write_shell(*writer);
+        writer->begin_table(writer == &by_step ? "OES1X1" : "OES2");
+    }
+    Op2Ident ident{
+        .approach = kTransient, .table_code = 5, .element_type = 74, .row_words = 17, .stress_bits = 1};
+    for (const double time : {0.5, 0.75}) {
+        ident.word5 = time;
+        by_step.block(ident, joined({shell_row(whole(91), 10 * time), shell_row(whole(101), 100 * time)}));
+    }
+    ident.table_code += kSorted;
+    ident.word5 = whole(91);
+    by_element.block(ident, joined({shell_row(0.5, 5), shell_row(0.75, 7.5)}));
+    ident.word5 = whole(101);
+    // The steps in another order, and one that the first element does not have.
+    by_element.block(ident, joined({shell_row(0.75, 75), shell_row(0.5, 50), shell_row(2., 200)}));
+    by_step.end_table();
+    by_element.end_table();
+    Diagnostics diagnostics, of_elements;
+    const auto steps = open(by_step.finish(), diagnostics), elements = open(by_element.finish(), of_elements);
+    EXPECT_FALSE(of_elements.has(Code::UnknownBlock));
+    EXPECT_EQ(test::exercise(*elements), "");
+    ASSERT_EQ(steps->results().size(), 4U);
+    ASSERT_EQ(elements->results().size(), 6U);
+    ASSERT_EQ(elements->steps().size(), 3U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Result a = steps->load(i), b = elements->load(i);
+        EXPECT_EQ(a.info.name, b.info.name);
+        EXPECT_EQ(a.info.layer, b.info.layer);
+        EXPECT_EQ(steps->steps()[a.info.step].value, elements->steps()[b.info.step].value);
+        EXPECT_EQ(a.row_owner, b.row_owner);
+        ASSERT_EQ(a.values.size(), b.values.size());
+        for (std::size_t k = 0; k < a.values.size(); ++k) {
+            if (std::isnan(a.values[k]) && std::isnan(b.values[k])) continue;
+            EXPECT_EQ(a.values[k], b.values[k]) << i << " " << k;
+        }
+    }
+    const Result last = elements->load(4);
+    EXPECT_EQ(std::ranges::count(last.values, 199.F), 1) << "the element with that step";
+    EXPECT_EQ(std::ranges::count_if(last.values, [](float value) { return !std::isnan(value); }), 3);
+}
+
+TEST(Op2, a_row_of_an_element_that_is_cut_off_is_refused) {
+    Op2Writer writer;
+    write_shell(writer);
+    writer.begin_table("OES2");
+    Op2Words words = shell_row(0.5, 1);
+    words.emplace_back(0.75);
+    writer.block(
+        {.approach = 6,
+         .table_code = 2005,
+         .element_type = 74,
+         .word5 = whole(91),
+         .row_words = 17,
+         .stress_bits = 1},
+        words
+    );
+    writer.end_table();
+    Diagnostics diagnostics;
+    const auto model = open(writer.finish(), diagnostics);
+    EXPECT_THROW(model->load(0), Error);
+}
+
+/// A number a word: 1, 2, 3 ... after the element's number.
+Op2Words counting(std::int64_t element, int words) {
+    Op2Words out{whole(element * 10 + 1)};
+    for (int i = 1; i < words; ++i) out.emplace_back(static_cast<double>(i));
+    return out;
+}
+
+TEST(Op2, complex_bars_have_an_axial_number_and_four_points_at_both_ends) {
+    constexpr int kFrequency = 5, kComplex = 1000, kPolar = 3;
+    Op2Writer writer;
+    write_shell(writer);
+    writer.begin_table("OES1X1");
+    Op2Ident ident{
+        .approach = kFrequency, .table_code = 5 + kComplex, .word5 = 40., .format = kPolar, .stress_bits = 1};
+    ident.element_type = 1;
+    ident.row_words = 5;
+    writer.block(ident, counting(11, 5));
+    ident.element_type = 34;
+    ident.row_words = 19;
+    // Points and the axial number, then their phases; of end B without the axial one.
+    writer.block(ident, counting(11, 19));
+    ident.element_type = 2;
+    ident.row_words = 111;
+    Op2Words beam{whole(111)};
+    for (int station = 0; station < 11; ++station) {
+        beam.push_back(whole(station == 0 ? 1 : station == 10 ? 4 : 0));
+        for (int i = 1; i < 10; ++i) beam.emplace_back(100. * station + i);
+    }
+    writer.block(ident, beam);
+    writer.end_table();
+    Diagnostics diagnostics;
+    const auto model = open(writer.finish(), diagnostics);
+    EXPECT_EQ(test::exercise(*model), "");
+    EXPECT_THAT(
+        names_of(*model),
+        ElementsAre(
+            "axial_stress",
+            "axial_stress",
+            "bar_bending_stress",
+            "bar_bending_stress",
+            "bar_stress",
+            "bar_stress"
+        )
+    );
+    const auto values = [&](std::size_t i) {
+        std::vector<float> out;
+        for (const float value : model->load(i).values) {
+            if (!std::isnan(value)) out.push_back(value);
+        }
+        return out;
+    };
+    EXPECT_EQ(model->results()[0].complex, Complex::Amplitude);
+    EXPECT_EQ(model->results()[1].complex, Complex::Phase);
+    EXPECT_THAT(values(0), ElementsAre(5));  // The same element in both tables: the later one counts.
+    EXPECT_THAT(values(1), ElementsAre(10));
+    EXPECT_THAT(model->results()[2].components, ElementsAre("c", "d", "e", "f"));
+    EXPECT_THAT(values(2), ElementsAre(1, 2, 3, 4, 11, 12, 13, 14));
+    EXPECT_THAT(values(3), ElementsAre(6, 7, 8, 9, 15, 16, 17, 18));
+    EXPECT_THAT(values(4), ElementsAre(2, 3, 4, 5, 1002, 1003, 1004, 1005));
+    EXPECT_THAT(values(5), ElementsAre(6, 7, 8, 9, 1006, 1007, 1008, 1009));
+}
+
+TEST(Op2, complex_shells_have_the_stresses_of_their_centre_in_their_own_system) {
+    constexpr int kFrequency = 5, kComplex = 1000;
+    Op2Writer writer;
+    write_shell(writer);
+    writer.begin_table("OES1X1");
+    Op2Ident ident{
+        .approach = kFrequency, .table_code = 5 + kComplex, .word5 = 40., .format = 2, .stress_bits = 1};
+    ident.element_type = 74;
+    ident.row_words = 15;
+    Op2Words centre{whole(101)};
+    for (const double side : {0.5, -0.5}) {  // The upper fibre first.
+        for (const double value : {side, 10 + side, 20 + side, 30 + side, 40 + side, 50 + side, 60 + side})
+            centre.emplace_back(value);
+    }
+    writer.block(ident, centre);
+    ident.element_type = 75;
+    ident.row_words = 62;
+    Op2Words corners{whole(91), std::string("CEN/")};
+    for (const std::int64_t point : {0, 1, 2, 3}) {
+        corners.push_back(whole(point == 0 ? 3 : point));
+        for (const double side : {-0.5, 0.5}) {
+            corners.emplace_back(side);
+            for (const double value : {1., 2., 3., 4., 5. + side, 6. + side})
+                corners.emplace_back(100. * static_cast<double>(point) + value);
+        }
+    }
+    writer.block(ident, corners);
+    writer.end_table();
+    Diagnostics diagnostics;
+    const auto model = open(writer.finish(), diagnostics);
+    ASSERT_EQ(model->results().size(), 4U);
+    EXPECT_THAT(model->results()[0].components, ElementsAre("normal_x", "normal_y", "shear_xy"));
+    EXPECT_EQ(model->results()[0].location, Location::Elemental);
+    const auto values = [&](std::size_t i, int element) {
+        const Result result = model->load(i);
+        for (std::uint32_t e = 0; e < model->mesh().element_count(); ++e) {
+            if (raw(element_at(model->mesh(), ElementIndex{e}).id()) == element)
+                return std::vector<float>(result.values.begin() + 3 * e, result.values.begin() + 3 * e + 3);
+        }
+        return std::vector<float>{};
+    };
+    const auto kind = [&](std::size_t i) {
+        return std::pair(model->results()[i].layer, model->results()[i].complex);
+    };
+    EXPECT_EQ(kind(0), (std::pair{Layer::Bottom, Complex::Real}));
+    EXPECT_EQ(kind(1), (std::pair{Layer::Bottom, Complex::Imaginary}));
+    EXPECT_EQ(kind(2), (std::pair{Layer::Top, Complex::Real}));
+    EXPECT_THAT(values(0, 10), ElementsAre(9.5, 29.5, 49.5));
+    EXPECT_THAT(values(1, 10), ElementsAre(19.5, 39.5, 59.5));
+    EXPECT_THAT(values(2, 10), ElementsAre(10.5, 30.5, 50.5));
+    EXPECT_THAT(values(0, 9), ElementsAre(1, 3, 4.5));
+    EXPECT_THAT(values(3, 9), ElementsAre(2, 4, 6.5));
+}
+
+TEST(Op2, what_is_not_used_is_named_once_a_kind_with_its_elements) {
+    Op2Writer writer;
+    write_shell(writer);
+    writer.begin_table("OES1C");
+    for (const int subcase : {1, 2, 3}) {
+        for (const int type : {97, 95}) {
+            writer.block(
+                {.table_code = 5, .element_type = type, .subcase = subcase, .row_words = 12}, {whole(101), 1.}
+            );
+        }
+    }
+    writer.end_table();
+    writer.begin_table("OEF1X");
+    writer.block({.table_code = 1004, .element_type = 34, .row_words = 17}, {whole(101), 1.});
+    writer.block({.table_code = 4, .element_type = 777, .row_words = 17}, {whole(101), 1.});
+    writer.end_table();
+    writer.begin_table("OGPFB1");
+    writer.block({.table_code = 19, .element_type = 0, .row_words = 10}, {whole(101), 1.});
+    writer.end_table();
+    Diagnostics diagnostics;
+    const auto model = open(writer.finish(), diagnostics);
+    std::vector<std::string> texts;
+    for (const Diagnostic& entry : diagnostics.entries()) {
+        if (entry.code == Code::UnknownBlock)
+            texts.push_back(entry.text + " x" + std::to_string(entry.count));
+    }
+    EXPECT_THAT(
+        texts,
+        ElementsAre(
+            "OEF1X: forces of elements are not used: elements of type 777 x1",
+            "OEF1X: forces of elements, complex, are not used: CBAR (type 34) x1",
+            "OES1C: stresses of elements are not used: composite CQUAD4 (type 95), composite CTRIA3 (type "
+            "97) x6",
+            "OGPFB1: balances of forces at grid points are not used x1"
+        )
+    );
 }
 
 }  // namespace

@@ -20,6 +20,14 @@ constexpr ElementLayout centre(int type) {
     return {type, RowShape::ShellCentre, 0, kShellPoint, kShellPoint};
 }
 
+/// 7 words a fibre, or 8 with a von Mises amplitude.
+constexpr ElementLayout complex_shell(int type, std::size_t corners, std::size_t fibre) {
+    return {type, RowShape::ShellComplex, corners, kShellHead + (1 + 2 * fibre) * (corners + 1), fibre};
+}
+constexpr ElementLayout complex_centre(int type, std::size_t fibre) {
+    return {type, RowShape::ShellComplex, 0, 1 + 2 * fibre, fibre};
+}
+
 constexpr std::array kLayouts{
     ElementLayout{1, RowShape::Bar, 1, 5, 0},   // CROD
     ElementLayout{3, RowShape::Bar, 1, 5, 0},   // CTUBE
@@ -39,6 +47,30 @@ constexpr std::array kLayouts{
     complex_solid(68, 6, 14),
     complex_solid(255, 5, 13),
     complex_solid(255, 5, 14),
+    ElementLayout{1, RowShape::BarComplex, 1, 5, 2},
+    ElementLayout{3, RowShape::BarComplex, 1, 5, 2},
+    ElementLayout{10, RowShape::BarComplex, 1, 5, 2},
+    ElementLayout{34, RowShape::BarComplex, 5, 19, 10},
+    ElementLayout{34, RowShape::BarPoints, 2, 19, 0},
+    ElementLayout{2, RowShape::BeamPoints, 11, 111, kBeamStation},
+    complex_centre(33, 7),
+    complex_centre(33, 8),
+    complex_centre(74, 7),
+    complex_centre(74, 8),
+    complex_centre(227, 7),
+    complex_centre(227, 8),
+    complex_centre(228, 7),
+    complex_centre(228, 8),
+    complex_shell(64, 4, 7),
+    complex_shell(64, 4, 8),
+    complex_shell(70, 3, 7),
+    complex_shell(70, 3, 8),
+    complex_shell(75, 3, 7),
+    complex_shell(75, 3, 8),
+    complex_shell(82, 4, 7),
+    complex_shell(82, 4, 8),
+    complex_shell(144, 4, 7),
+    complex_shell(144, 4, 8),
     centre(33),     // CQUAD4
     centre(74),     // CTRIA3
     centre(227),    // CTRIAR
@@ -50,11 +82,12 @@ constexpr std::array kLayouts{
     shell(144, 4),  // CQUAD4
 };
 
-bool is_complex_shape(RowShape shape) {
-    return shape == RowShape::SolidComplex;
-}
-
 }  // namespace
+
+bool is_complex_shape(RowShape shape) {
+    return shape == RowShape::SolidComplex || shape == RowShape::ShellComplex ||
+           shape == RowShape::BarComplex || shape == RowShape::BarPoints || shape == RowShape::BeamPoints;
+}
 
 const ElementLayout* find_layout(std::int64_t type, std::size_t row_words, bool is_complex) {
     const auto found = std::ranges::find_if(kLayouts, [&](const ElementLayout& layout) {
@@ -71,10 +104,11 @@ const ElementLayout* layout_of_type(std::int64_t type) {
     return found == kLayouts.end() ? nullptr : &*found;
 }
 
-const ElementLayout* ends_layout(const ElementLayout& layout) {
-    if (layout.shape != RowShape::Bar) return nullptr;
+const ElementLayout* second_layout(const ElementLayout& layout) {
+    if (layout.shape != RowShape::Bar && layout.shape != RowShape::BarComplex) return nullptr;
+    const RowShape second = layout.shape == RowShape::Bar ? RowShape::BarEnds : RowShape::BarPoints;
     const auto found = std::ranges::find_if(kLayouts, [&](const ElementLayout& other) {
-        return other.type == layout.type && other.shape == RowShape::BarEnds;
+        return other.type == layout.type && other.shape == second;
     });
     return found == kLayouts.end() ? nullptr : &*found;
 }

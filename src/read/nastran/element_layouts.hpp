@@ -15,17 +15,24 @@ enum class RowShape : std::uint8_t {
     SolidComplex,  ///< Two tensors each.
     ShellCorner,   ///< Centre and corners, two fibres each.
     ShellCentre,   ///< Centre only, two fibres.
+    ShellComplex,  ///< Centre and corners or centre alone, two fibres with three stresses of two parts each.
     Bar,           ///< One axial number at a place.
+    BarComplex,    ///< Its two parts.
     BarEnds,       ///< Largest and smallest at both ends.
+    BarPoints,     ///< Complex: four points of the section at both ends, without the axial part.
+    BeamPoints,    ///< Complex: the same with it, at stations.
 };
+
+bool is_complex_shape(RowShape shape);
 
 /// What is listed of a kind of element.
 struct ElementLayout {
     int type = 0;  ///< Nastran's number of the element.
     RowShape shape = RowShape::Solid;
-    std::size_t corners = 0;  ///< Bars: the word of the axial number.
+    std::size_t corners = 0;  ///< Bars: the word of the axial number. Beams: stations.
     std::size_t row_words = 0;
-    std::size_t point_words = 0;  ///< Of a centre or corner.
+    std::size_t point_words =
+        0;  ///< Of a centre or corner. Complex shells: of a fibre; bars: the other part.
 };
 
 inline constexpr std::size_t kSolidHead = 4;  ///< Number, system, "GRID", how many corners.
@@ -45,8 +52,8 @@ const ElementLayout* find_layout(std::int64_t type, std::size_t row_words, bool 
 /// Of real numbers; null when Feelem knows no rows of that type.
 const ElementLayout* layout_of_type(std::int64_t type);
 
-/// The ends of bars whose axial number is what `layout` lists; null for all others.
-const ElementLayout* ends_layout(const ElementLayout& layout);
+/// What a row of a bar holds beside the axial number that `layout` lists; null for all others.
+const ElementLayout* second_layout(const ElementLayout& layout);
 
 /// What the last columns and the fibres hold.
 struct StressKind {

@@ -16,14 +16,25 @@ Quantity quantity_of(RowShape shape) {
     case RowShape::SolidComplex: return Quantity::SolidComplex;
     case RowShape::ShellCorner: return Quantity::ShellCorner;
     case RowShape::ShellCentre: return Quantity::ShellCentre;
+    case RowShape::ShellComplex: return Quantity::ShellComplex;
+    case RowShape::BarComplex: return Quantity::AxialComplex;
     case RowShape::BarEnds: return Quantity::BarEnds;
-    default: return Quantity::Axial;
+    case RowShape::BarPoints: return Quantity::BarPoints;
+    case RowShape::BeamPoints: return Quantity::BeamPoints;
+    case RowShape::Bar: break;
     }
+    return Quantity::Axial;
 }
 
-/// Parts of complex numbers, or fibres of shells.
-bool has_two(RowShape shape) {
-    return shape != RowShape::Solid && shape != RowShape::Bar && shape != RowShape::BarEnds;
+bool is_shell(Quantity quantity) {
+    return quantity == Quantity::ShellCorner || quantity == Quantity::ShellCentre ||
+           quantity == Quantity::ShellComplex;
+}
+
+bool is_complex(Quantity quantity) {
+    return quantity == Quantity::SolidComplex || quantity == Quantity::ShellComplex ||
+           quantity == Quantity::AxialComplex || quantity == Quantity::BarPoints ||
+           quantity == Quantity::BeamPoints;
 }
 
 const char* equivalent_name(const StressKind& kind, const char* shear) {
@@ -31,55 +42,71 @@ const char* equivalent_name(const StressKind& kind, const char* shear) {
     return kind.von_mises ? "von_mises" : shear;
 }
 
+/// Shape and components.
+void describe_columns(const ElementResult& result, ResultInfo& info) {
+    const StressKind& kind = result.kind;
+    info.shape = Shape::Other;
+    switch (result.quantity) {
+    case Quantity::SolidCorner:
+    case Quantity::SolidComplex:
+        info.shape = Shape::SymmetricTensor;
+        info.components = {"xx", "yy", "zz", "xy", "yz", "zx"};
+        if (result.quantity == Quantity::SolidCorner)
+            info.components.emplace_back(equivalent_name(kind, "octahedral_shear"));
+        break;
+    case Quantity::Axial:
+    case Quantity::AxialComplex:
+        info.shape = Shape::Scalar;
+        info.components = {"value"};
+        break;
+    case Quantity::BarEnds: info.components = {"max", "min"}; break;
+    case Quantity::BarPoints:
+    case Quantity::BeamPoints: info.components = {"c", "d", "e", "f"}; break;
+    case Quantity::ShellComplex: info.components = {"normal_x", "normal_y", "shear_xy"}; break;
+    case Quantity::ShellCorner:
+    case Quantity::ShellCentre:
+        info.components = {equivalent_name(kind, "max_shear"), "major", "minor"};
+        break;
+    }
+}
+
 }  // namespace
+
+bool is_by_element(Quantity quantity) {
+    return quantity == Quantity::Axial || quantity == Quantity::AxialComplex ||
+           quantity == Quantity::ShellCentre || quantity == Quantity::ShellComplex;
+}
 
 ResultInfo element_info(const ElementResult& result) {
     ResultInfo info;
     info.solver_name = result.table;
     const StressKind& kind = result.kind;
-    const bool is_shell =
-        result.quantity == Quantity::ShellCorner || result.quantity == Quantity::ShellCentre;
-    switch (result.quantity) {
-    case Quantity::SolidCorner:
-        info.shape = Shape::SymmetricTensor;
-        info.components = {"xx", "yy", "zz", "xy", "yz", "zx"};
-        info.components.emplace_back(equivalent_name(kind, "octahedral_shear"));
-        break;
-    case Quantity::SolidComplex:
-        info.shape = Shape::SymmetricTensor;
-        info.components = {"xx", "yy", "zz", "xy", "yz", "zx"};
-        info.complex = result.fibre == 0 ? (result.polar ? Complex::Amplitude : Complex::Real)
-                                         : (result.polar ? Complex::Phase : Complex::Imaginary);
-        break;
-    case Quantity::Axial: info.components = {"value"}; break;
-    case Quantity::BarEnds:
-        info.shape = Shape::Other;
-        info.components = {"max", "min"};
-        break;
-    default:
-        info.shape = Shape::Other;
-        info.components = {equivalent_name(kind, "max_shear"), "major", "minor"};
-        break;
-    }
-    const bool by_element = result.quantity == Quantity::Axial || result.quantity == Quantity::ShellCentre;
+    const Quantity quantity = result.quantity;
+    describe_columns(result, info);
+    if (is_complex(quantity))
+        info.complex = result.part == 0 ? (result.polar ? Complex::Amplitude : Complex::Real)
+                                        : (result.polar ? Complex::Phase : Complex::Imaginary);
+    const bool by_element = is_by_element(quantity);
     info.location = by_element ? Location::Elemental : Location::ElementNodal;
     info.averaging = by_element ? Averaging::NotApplicable : Averaging::None;
     if (kind.strain) info.shear = Shear::Engineering;
-    if (is_shell && !kind.curvature) info.layer = result.fibre == 0 ? Layer::Bottom : Layer::Top;
-    if (is_shell && kind.curvature && result.fibre == 0) info.layer = Layer::Middle;
+    if (is_shell(quantity) && !kind.curvature) info.layer = result.fibre == 0 ? Layer::Bottom : Layer::Top;
+    if (is_shell(quantity) && kind.curvature && result.fibre == 0) info.layer = Layer::Middle;
     info.name = kind.strain ? "strain" : "stress";
-    if (result.quantity == Quantity::Axial) info.name = "axial_" + info.name;
-    if (result.quantity == Quantity::BarEnds) info.name = "bar_" + info.name;
-    if (is_shell && kind.curvature && result.fibre == 1) info.name = "curvature";
+    if (quantity == Quantity::Axial || quantity == Quantity::AxialComplex) info.name = "axial_" + info.name;
+    if (quantity == Quantity::BarEnds || quantity == Quantity::BeamPoints) info.name = "bar_" + info.name;
+    if (quantity == Quantity::BarPoints) info.name = "bar_bending_" + info.name;
+    if (is_shell(quantity) && kind.curvature && result.fibre == 1) info.name = "curvature";
     return info;
 }
 
-void ElementGroups::add(const Block& block, const ElementLayout& layout, std::size_t record) {
-    for (const ElementLayout* one : {&layout, ends_layout(layout)}) {
+void ElementGroups::add(const Block& block, ElementBlockRef rows) {
+    for (const ElementLayout* one : {rows.layout, second_layout(*rows.layout)}) {
         if (one == nullptr) continue;
         Group& group = groups_[{block.table, block.step, block.kind, one->shape}];
         group.polar = block.polar;
-        group.blocks.push_back({one, record});
+        rows.layout = one;
+        group.blocks.push_back(rows);
     }
 }
 
@@ -97,17 +124,20 @@ std::vector<ElementResult> ElementGroups::finish() {
     std::vector<ElementResult> results;
     for (const auto& [key, group] : groups_) {
         if (group.blocks.empty()) continue;
-        const RowShape shape = std::get<RowShape>(key);
         ElementResult result{
             std::get<StepKey>(key),
-            quantity_of(shape),
+            quantity_of(std::get<RowShape>(key)),
             std::get<StressKind>(key),
             group.polar,
             0,
+            0,
             std::get<std::string>(key),
             group.blocks};
-        for (result.fibre = 0; result.fibre < (has_two(shape) ? 2 : 1); ++result.fibre)
-            results.push_back(result);
+        const int parts = is_complex(result.quantity) ? 2 : 1;
+        const int fibres = is_shell(result.quantity) ? 2 : 1;
+        for (result.fibre = 0; result.fibre < fibres; ++result.fibre) {
+            for (result.part = 0; result.part < parts; ++result.part) results.push_back(result);
+        }
     }
     return results;
 }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -25,13 +26,31 @@ enum class Quantity : std::uint8_t {
     SolidComplex,
     ShellCorner,
     ShellCentre,
+    ShellComplex,  ///< In each element's own system.
     Axial,
-    BarEnds
+    AxialComplex,
+    BarEnds,
+    BarPoints,
+    BeamPoints
+};
+
+/// The rows of one node or element in a table that is sorted by them.
+struct SortedRecord {
+    std::int64_t id = 0;
+    std::size_t record = 0;
+};
+
+struct ElementRecords {
+    Ident ident;
+    std::vector<SortedRecord> records;
 };
 
 struct ElementBlockRef {
     const ElementLayout* layout = nullptr;
     std::size_t record = 0;  ///< Where the rows are: known to the one who reads them.
+    /// Sorted by element: one row of each of several records, shared by all steps; else null.
+    std::shared_ptr<const ElementRecords> by_element;
+    std::size_t row = 0;  ///< Sorted by element: where it stands, as a rule.
 };
 
 struct ElementResult {
@@ -39,11 +58,14 @@ struct ElementResult {
     Quantity quantity = Quantity::SolidCorner;
     StressKind kind;
     bool polar = false;  ///< Complex: amplitude and phase.
-    /// Complex: 0 the real part or amplitude, 1 the other.
-    int fibre = 0;  ///< Shells: 0 the lower one (middle), 1 the upper one (curvature).
+    int part = 0;        ///< Complex: 0 the real part or amplitude, 1 the other.
+    int fibre = 0;       ///< Shells: 0 the lower one (middle), 1 the upper one (curvature).
     std::string table;
     std::vector<ElementBlockRef> blocks;
 };
+
+/// Whether an element has one value, not one a corner.
+bool is_by_element(Quantity quantity);
 
 /// Names, shape and place of the values; name and step are the caller's.
 ResultInfo element_info(const ElementResult& result);
@@ -57,8 +79,8 @@ public:
         StressKind kind;
         bool polar = false;
     };
-    /// Bars that have ends become two results.
-    void add(const Block& block, const ElementLayout& layout, std::size_t record);
+    /// Bars that have ends become two results. The layout of `rows` is that of the first one.
+    void add(const Block& block, ElementBlockRef rows);
 
     /// In the order of tables, steps and kinds. Shells that give their centres alone join those that give
     /// corners, where a step has both.

@@ -17,6 +17,8 @@ constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 /// Words of xx yy zz xy yz zx after the point's grid: of one part, and of the other.
 constexpr std::array<std::array<std::size_t, 6>, 2> kComplexColumns{
     {{1, 2, 3, 4, 5, 6}, {7, 8, 9, 10, 11, 12}}};
+/// Points C, D, E and F of a bar's section.
+constexpr std::size_t kSectionPoints = 4;
 /// Words of the equivalent value and the larger and smaller principal one after the fibre's distance.
 constexpr std::array<std::size_t, 3> kShellColumns{7, 5, 6};
 
@@ -41,7 +43,7 @@ void report_values(
 
 ElementRowReader::ElementRowReader(const ElementResult& result, const Mesh& mesh, const ElementLookup& lookup)
     : result_(result), mesh_(mesh), lookup_(lookup), nodes_(mesh.node_ids) {
-    if (by_element()) values_.values.assign(mesh.element_count() * width(), kNoValue);
+    if (is_by_element(result_.quantity)) values_.values.assign(mesh.element_count() * width(), kNoValue);
 }
 
 void ElementRowReader::read(std::int64_t id, const Words& row, const ElementLayout& layout) {
@@ -55,25 +57,33 @@ void ElementRowReader::read(std::int64_t id, const Words& row, const ElementLayo
     case RowShape::Solid: read_solid(row, layout, element); break;
     case RowShape::ShellCorner: read_shell(row, layout, element); break;
     case RowShape::ShellCentre: read_centre(row, element); break;
+    case RowShape::ShellComplex: read_complex_shell(row, layout, element); break;
     case RowShape::BarEnds: read_ends(row, layout, element); break;
-    case RowShape::Bar: put(row, std::array{layout.corners}, values_.values.data() + raw(element)); break;
+    case RowShape::BarPoints:
+    case RowShape::BeamPoints: read_points(row, layout, element); break;
+    case RowShape::Bar:
+    case RowShape::BarComplex:
+        put(row,
+            std::array{result_.part == 0 ? layout.corners : layout.point_words},
+            values_.values.data() + raw(element));
+        break;
     }
 }
 
 ElementValues ElementRowReader::finish() {
-    if (!by_element()) sort_rows();
+    if (!is_by_element(result_.quantity)) sort_rows();
     return std::move(values_);
 }
 
-bool ElementRowReader::by_element() const {
-    return result_.quantity == Quantity::Axial || result_.quantity == Quantity::ShellCentre;
-}
 std::size_t ElementRowReader::width() const {
     switch (result_.quantity) {
     case Quantity::SolidCorner: return kSolidColumns.size();
     case Quantity::SolidComplex: return kComplexColumns[0].size();
-    case Quantity::Axial: return 1;
+    case Quantity::Axial:
+    case Quantity::AxialComplex: return 1;
     case Quantity::BarEnds: return 2;
+    case Quantity::BarPoints:
+    case Quantity::BeamPoints: return kSectionPoints;
     default: return kShellColumns.size();
     }
 }
@@ -115,7 +125,7 @@ void ElementRowReader::read_solid(const Words& row, const ElementLayout& layout,
         if (layout.shape == RowShape::Solid) {
             put(point, kSolidColumns, out);
         } else {
-            put(point, kComplexColumns[result_.fibre == 0 ? 0 : 1], out);
+            put(point, kComplexColumns[result_.part == 0 ? 0 : 1], out);
         }
         if (!is_basic) std::fill(out, out + 6, kNoValue);
     }
@@ -142,7 +152,7 @@ void ElementRowReader::read_shell(const Words& row, const ElementLayout& layout,
 /// Beside shells with corners, those without have the same values at each of theirs.
 void ElementRowReader::read_centre(const Words& row, ElementIndex element) {
     const Words fibre = fibre_of(row.part(1, 2 * kFibreWords));
-    if (by_element()) {
+    if (is_by_element(result_.quantity)) {
         put(fibre, kShellColumns, values_.values.data() + raw(element) * width());
         return;
     }
@@ -165,6 +175,43 @@ void ElementRowReader::read_ends(const Words& row, const ElementLayout& layout, 
         if (station.integer(0) == 0) continue;
         const NodeIndex node = corner(station.integer(0), element);
         if (node != kNoNode) put(station, kBeamColumns, add_row(element, node));
+    }
+}
+
+/// The centre alone: averages of corners in different elements' systems would mean nothing.
+void ElementRowReader::read_complex_shell(
+    const Words& row, const ElementLayout& layout, ElementIndex element
+) {
+    const std::size_t first = layout.corners == 0 ? 1 : kShellHead + 1;
+    const std::size_t width_of_fibre = layout.point_words;
+    Words fibre = row.part(first, width_of_fibre);
+    Words other = row.part(first + width_of_fibre, width_of_fibre);
+    const bool swapped = !result_.kind.curvature && other.real(0) < fibre.real(0);
+    if ((result_.fibre == 0) == swapped) fibre = other;
+    const std::size_t part = result_.part == 0 ? 1 : 2;
+    put(fibre, std::array{part, part + 2, part + 4}, values_.values.data() + raw(element) * width());
+}
+
+/// Four points of the section, one part behind the other.
+void ElementRowReader::read_points(const Words& row, const ElementLayout& layout, ElementIndex element) {
+    const auto columns = [&](std::size_t first) {
+        return std::array{first, first + 1, first + 2, first + 3};
+    };
+    const bool is_beam = layout.shape == RowShape::BeamPoints;
+    const std::size_t part = result_.part == 0 ? 0 : (is_beam ? kSectionPoints : kSectionPoints + 1);
+    const auto nodes = element_at(mesh_, element).nodes();
+    for (std::size_t i = 0; i < layout.corners; ++i) {
+        if (is_beam) {
+            const Words station = row.part(1 + i * kBeamStation, kBeamStation);
+            if (station.integer(0) == 0) continue;
+            const NodeIndex node = corner(station.integer(0), element);
+            if (node != kNoNode) put(station, columns(2 + part), add_row(element, node));
+        } else if (i < nodes.size()) {
+            // End A has the axial stress behind each part, end B has not.
+            put(row,
+                i == 0 ? columns(1 + part) : columns(11 + (part == 0 ? 0 : kSectionPoints)),
+                add_row(element, nodes[i]));
+        }
     }
 }
 

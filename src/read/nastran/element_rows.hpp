@@ -44,7 +44,6 @@ public:
     ElementValues finish();
 
 private:
-    bool by_element() const;
     std::size_t width() const;
     template <std::size_t count>
     void put(const Words& words, const std::array<std::size_t, count>& columns, float* out);
@@ -55,6 +54,8 @@ private:
     void read_shell(const Words& row, const ElementLayout& layout, ElementIndex element);
     void read_centre(const Words& row, ElementIndex element);
     void read_ends(const Words& row, const ElementLayout& layout, ElementIndex element);
+    void read_complex_shell(const Words& row, const ElementLayout& layout, ElementIndex element);
+    void read_points(const Words& row, const ElementLayout& layout, ElementIndex element);
     void sort_rows();
 
     const ElementResult& result_;

@@ -2,6 +2,7 @@
 #include "read/nastran/op2_contents.hpp"
 
 #include "read/nastran/op2_steps.hpp"
+#include "read/nastran/op2_unused.hpp"
 
 #include <fmt/format.h>
 
@@ -21,14 +22,6 @@ bool is_result_table(const Table& table) {
 
 constexpr int kMpcForceCode = 39;
 
-/// What a block holds that is not used, as far as its ident says it.
-std::string unused_text(const std::string& table, const Ident& ident) {
-    if (ident.element_type == 0)
-        return fmt::format("{}: blocks of kind {} are not used", table, ident.table_code);
-    const char* form = ident.sort2 ? ", sorted by element," : ident.is_complex ? ", complex," : "";
-    return fmt::format("{}: values of elements of type {}{} are not used", table, ident.element_type, form);
-}
-
 class Lister {
 public:
     Lister(const Input& input, const Layout& layout, Diagnostics& diagnostics)
@@ -38,6 +31,7 @@ public:
         for (const Table& table : layout_.tables) {
             if (is_result_table(table)) list_table(table);
         }
+        unused_.report(input_.name(), diagnostics_);
         read_frequencies();
         contents_.steps = steps_.finish();
         leave_out_twins();
@@ -67,6 +61,7 @@ private:
     /// Idents and data take turns; a block without data has its ident alone.
     void list_table(const Table& table) {
         by_node_.clear();
+        by_element_.clear();
         for (std::size_t i = table.first_record; i < table.last_record; ++i) {
             const auto ident = read_ident(record_head(input_, layout_, i, kIdentWords + 1, scratch_));
             if (!ident) {
@@ -88,7 +83,7 @@ private:
             } else if (element_layout(*ident) != nullptr) {
                 collect_elements(table, *ident, texts, i);
             } else {
-                report_unused(unused_text(table.name, *ident));
+                unused_.add(table.name, *ident);
             }
         }
     }
@@ -123,28 +118,45 @@ private:
         return std::ranges::equal(before.bytes(), now.bytes());
     }
 
-    /// The longest rows of a node say which steps there are.
-    void list_sorted_by_node(const Table& table, const Ident& ident, const Texts& texts, std::size_t record) {
+    /// The longest rows of a node or element say which steps there are: calls each(step, row) for new ones.
+    template <class Each>
+    void add_sorted(
+        std::set<StepKey>& steps,
+        std::size_t& longest,
+        const Table& table,
+        const Ident& ident,
+        std::size_t record,
+        const Each& each
+    ) {
         constexpr std::size_t kMostSteps = 100000;
-        NodeGroup& group = by_node_[{ident.subcase, ident.approach, ident.table_code, ident.row_words}];
-        if (group.records == nullptr) group.records = std::make_shared<std::vector<NodeRecord>>();
-        group.records->push_back({ident.integer5 / 10, record});
-        if (layout_.record_bytes(record) <= group.longest) return;
-        group.longest = layout_.record_bytes(record);
-        NodalBlock block{ident, {}, table.name, 0, group.records, 0};
-        const std::size_t width = block.row_words();
+        if (layout_.record_bytes(record) <= longest) return;
+        longest = layout_.record_bytes(record);
         const Words words = record_words(input_, layout_, record, scratch_);
-        for (std::size_t at = 0; at + width <= words.count(); at += width) {
-            block.step = step_of_row(ident, words.part(at, width));
-            block.row = at / width;
-            if (group.steps.size() >= kMostSteps) {
+        for (std::size_t at = 0; at + ident.row_words <= words.count(); at += ident.row_words) {
+            const StepKey step = step_of_row(ident, words.part(at, ident.row_words));
+            if (steps.size() >= kMostSteps) {
                 report_unused(table.name + " has more steps than Feelem takes");
                 return;
             }
-            if (!group.steps.insert(block.step).second) continue;
-            steps_.add(block.step, block.step.value, texts);
-            contents_.nodal.push_back(block);
+            if (steps.insert(step).second) each(step, at / ident.row_words);
         }
+    }
+
+    void list_sorted_by_node(const Table& table, const Ident& ident, const Texts& texts, std::size_t record) {
+        NodeGroup& group = by_node_[{ident.subcase, ident.approach, ident.table_code, ident.row_words}];
+        if (group.records == nullptr) group.records = std::make_shared<std::vector<SortedRecord>>();
+        group.records->push_back({ident.integer5 / 10, record});
+        add_sorted(
+            group.steps,
+            group.longest,
+            table,
+            ident,
+            record,
+            [&](const StepKey& step, std::size_t row) {
+                steps_.add(step, step.value, texts);
+                contents_.nodal.push_back({ident, step, table.name, 0, group.records, row});
+            }
+        );
     }
 
     /// Heat transfer runs list everything twice, by step and by node: the first way is quicker to read.
@@ -169,13 +181,35 @@ private:
     void collect_elements(
         const Table& table, const Ident& ident, const Words& ident_words, std::size_t record
     ) {
-        const StepKey step = step_of(ident);
         const Texts texts = read_texts(ident_words);
         if (contents_.title.empty()) contents_.title = texts.title;
-        steps_.add(step, value_of(ident, step), texts);
         constexpr int kMagnitudeAndPhase = 3;
-        const bool polar = ident.format == kMagnitudeAndPhase;
-        elements_.add({table.name, step, *stress_kind(ident), polar}, *element_layout(ident), record);
+        ElementGroups::Block block{table.name, {}, *stress_kind(ident), ident.format == kMagnitudeAndPhase};
+        const ElementLayout* layout = element_layout(ident);
+        if (!ident.sort2) {
+            block.step = step_of(ident);
+            steps_.add(block.step, value_of(ident, block.step), texts);
+            elements_.add(block, {layout, record, nullptr, 0});
+            return;
+        }
+        ElementGroup& group = by_element_[{ident.subcase, ident.approach, layout, ident.stress_bits}];
+        if (group.records == nullptr) {
+            group.records = std::make_shared<ElementRecords>();
+            group.records->ident = ident;
+        }
+        group.records->records.push_back({ident.integer5 / 10, record});
+        add_sorted(
+            group.steps,
+            group.longest,
+            table,
+            ident,
+            record,
+            [&](const StepKey& step, std::size_t row) {
+                block.step = step;
+                steps_.add(step, step.value, texts);
+                elements_.add(block, {layout, 0, group.records, row});
+            }
+        );
     }
 
     void list_element(const ElementResult& result) {
@@ -257,12 +291,19 @@ private:
     Contents contents_;
     StepList steps_;
     struct NodeGroup {
-        std::shared_ptr<std::vector<NodeRecord>> records;
+        std::shared_ptr<std::vector<SortedRecord>> records;
         std::set<StepKey> steps;
         std::size_t longest = 0;  ///< Bytes of a node's rows.
     };
     std::map<std::tuple<std::int32_t, int, int, std::size_t>, NodeGroup> by_node_;
+    struct ElementGroup {
+        std::shared_ptr<ElementRecords> records;
+        std::set<StepKey> steps;
+        std::size_t longest = 0;
+    };
+    std::map<std::tuple<std::int32_t, int, const ElementLayout*, int>, ElementGroup> by_element_;
     ElementGroups elements_;
+    UnusedBlocks unused_;
     ResultNames names_;
     std::map<std::tuple<std::string, int, StepKey>, std::size_t> written_;
     std::vector<std::byte> scratch_;

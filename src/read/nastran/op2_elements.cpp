@@ -5,15 +5,34 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 namespace feelem::op2 {
 namespace {
 
 constexpr int kStressCode = 5;
 
+void check_length(
+    const Input& input,
+    const Layout& layout,
+    const ElementResult& result,
+    std::size_t record,
+    std::size_t width
+) {
+    const std::size_t words = layout.record_bytes(record) / layout.form.size;
+    if (words % width == 0) return;
+    const auto segments = layout.record(record);
+    throw Error(
+        Code::BadStructure,
+        input.where_byte(segments.empty() ? 0 : segments.front().first),
+        fmt::format("{} has {} words of data where each element needs {}", result.table, words, width)
+    );
+}
+
 }  // namespace
 
 const ElementLayout* element_layout(const Ident& ident) {
-    const bool plain = ident.table_code == kStressCode && !ident.sort2 && !ident.random;
+    const bool plain = ident.table_code == kStressCode && !ident.random;
     if (!plain || !stress_kind(ident)) return nullptr;
     return find_layout(ident.element_type, ident.row_words, ident.is_complex);
 }
@@ -38,20 +57,23 @@ ElementValues read_elements(
     const ElementLookup& lookup
 ) {
     ElementRowReader reader(result, mesh, lookup);
+    std::vector<std::byte> scratch;
     for (const ElementBlockRef& block : result.blocks) {
-        const std::size_t words = layout.record_bytes(block.record) / layout.form.size;
         const std::size_t width = block.layout->row_words;
-        if (words % width != 0) {
-            const auto segments = layout.record(block.record);
-            throw Error(
-                Code::BadStructure,
-                input.where_byte(segments.empty() ? 0 : segments.front().first),
-                fmt::format("{} has {} words of data where each element needs {}", result.table, words, width)
-            );
+        if (block.by_element == nullptr) {
+            check_length(input, layout, result, block.record, width);
+            for_each_row(input, layout, block.record, width, [&](const Words& row) {
+                reader.read(row.integer(0) / 10, row, *block.layout);
+            });
+            continue;
         }
-        for_each_row(input, layout, block.record, width, [&](const Words& row) {
-            reader.read(row.integer(0) / 10, row, *block.layout);
-        });
+        for (const SortedRecord& one : block.by_element->records) {
+            check_length(input, layout, result, one.record, width);
+            const Words rows = record_words(input, layout, one.record, scratch);
+            if (const auto at =
+                    row_of_step(block.by_element->ident, rows, width, block.row * width, result.step))
+                reader.read(one.id, rows.part(*at, width), *block.layout);
+        }
     }
     return reader.finish();
 }

@@ -98,6 +98,19 @@ StepKey step_of_row(const Ident& ident, const Words& row) {
     return keyed(ident, row.integer(0), row.real(0));
 }
 
+std::optional<std::size_t> row_of_step(
+    const Ident& ident, const Words& rows, std::size_t width, std::size_t expected, const StepKey& step
+) {
+    const auto fits = [&](std::size_t at) {
+        return at + width <= rows.count() && step_of_row(ident, rows.part(at, width)) == step;
+    };
+    if (fits(expected)) return expected;
+    for (std::size_t at = 0; at < rows.count(); at += width) {
+        if (fits(at)) return at;
+    }
+    return {};
+}
+
 double value_of(const Ident& ident, const StepKey& key) {
     switch (ident.approach) {
     case kModes: return cycles(std::sqrt(std::abs(ident.real6)));

@@ -55,6 +55,11 @@ double value_of(const Ident& ident, const StepKey& key);
 /// Of a row of a block that is sorted by node or element: its first word.
 StepKey step_of_row(const Ident& ident, const Words& row);
 
+/// The word where that step's row starts among the rows of one node or element: `expected`, as a rule.
+std::optional<std::size_t> row_of_step(
+    const Ident& ident, const Words& rows, std::size_t width, std::size_t expected, const StepKey& step
+);
+
 /// Title, subtitle and label as the deck gives them.
 struct Texts {
     std::string title, subtitle, label;

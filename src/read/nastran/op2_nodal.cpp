@@ -49,11 +49,13 @@ public:
             });
             return;
         }
-        for (const NodeRecord& one : *block_.by_node) {
+        for (const SortedRecord& one : *block_.by_node) {
             check_length(one.record);
             const Words rows_of_node = record_words(input_, layout_, one.record, scratch_);
-            if (const auto at = row_of_step(rows_of_node, width))
-                each(NodeId{one.node}, rows_of_node.part(*at, width));
+            // Steps stand in the same order under each node as a rule, but a node may lack some.
+            if (const auto at =
+                    row_of_step(block_.ident, rows_of_node, width, block_.row * width, block_.step))
+                each(NodeId{one.id}, rows_of_node.part(*at, width));
         }
     }
 
@@ -69,18 +71,6 @@ private:
                 "{} has {} words of data where each row needs {}", block_.table, words, block_.row_words()
             )
         );
-    }
-
-    /// Steps stand in the same order under each node as a rule, but a node may lack some.
-    std::optional<std::size_t> row_of_step(const Words& words, std::size_t width) const {
-        const auto fits = [&](std::size_t at) {
-            return at < words.count() && step_of_row(block_.ident, words.part(at, width)) == block_.step;
-        };
-        if (fits(block_.row * width)) return block_.row * width;
-        for (std::size_t at = 0; at < words.count(); at += width) {
-            if (fits(at)) return at;
-        }
-        return {};
     }
 
     const Input& input_;
@@ -147,7 +137,7 @@ void collect_ids(
     if (block.by_node != nullptr) {
         // Once for all steps of the table.
         if (block.row != 0) return;
-        for (const NodeRecord& one : *block.by_node) ids.push_back(NodeId{one.node});
+        for (const SortedRecord& one : *block.by_node) ids.push_back(NodeId{one.id});
         return;
     }
     for_each_row(input, layout, block.record, block.row_words(), [&](const Words& row) {

@@ -2,6 +2,7 @@
 // Tables with a row for each grid or scalar point: displacements, temperatures, forces.
 #pragma once
 
+#include "read/nastran/element_results.hpp"
 #include "read/nastran/op2_ident.hpp"
 #include "read/nastran/op2_records.hpp"
 
@@ -27,20 +28,14 @@ struct NodalKind {
 /// Nothing when the table lists no grid points that Feelem knows.
 std::optional<NodalKind> nodal_kind(const Ident& ident);
 
-/// The rows of one node in a table that is sorted by node.
-struct NodeRecord {
-    std::int64_t node = 0;
-    std::size_t record = 0;
-};
-
 /// One step's rows: a whole record when the table is sorted by step, else one row of each of several records.
 struct NodalBlock {
     Ident ident;
     StepKey step;
     std::string table;
-    std::size_t record = 0;                            ///< Sorted by step: the data.
-    std::shared_ptr<std::vector<NodeRecord>> by_node;  ///< Sorted by node, shared by all steps; else null.
-    std::size_t row = 0;                               ///< Sorted by node: where it stands, as a rule.
+    std::size_t record = 0;                              ///< Sorted by step: the data.
+    std::shared_ptr<std::vector<SortedRecord>> by_node;  ///< Sorted by node, shared by all steps; else null.
+    std::size_t row = 0;                                 ///< Sorted by node: where it stands, as a rule.
 
     /// Tables whose name starts with B are in the basic system, all others in the grids' own.
     bool is_basic() const { return table.starts_with('B'); }

@@ -135,7 +135,7 @@ private:
         op2::ElementGroups groups;
         for (std::size_t i = 0; i < tables_.elements.size(); ++i) {
             const PrintedElements& table = tables_.elements[i];
-            groups.add({table.table, table.step, table.kind, false}, *table.layout, i);
+            groups.add({table.table, table.step, table.kind, false}, {table.layout, i, nullptr, 0});
         }
         results_of_elements_ = groups.finish();
         op2::ResultNames names;
