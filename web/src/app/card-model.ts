@@ -34,6 +34,7 @@ export function cardModel(
     if (!shown) return [];
     return [
       {
+        key: shown.key,
         label: shown.label,
         unit: entry.unit,
         value: entry.value,

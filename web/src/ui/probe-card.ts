@@ -6,6 +6,8 @@ import { numberText, unitText } from "./format";
 import { type IconName, icon } from "./icons";
 
 export interface CardRow {
+  /** Of the presentation. */
+  readonly key: string;
   readonly label: string;
   readonly unit: string | null;
   readonly value: number | null;
@@ -29,7 +31,7 @@ export interface CardModel {
 
 function rowTemplate(row: CardRow): TemplateResult {
   const about = row.state === "interpolated" ? "~" : "";
-  return html`<tr class=${row.alarm ? "alarm" : ""}>
+  return html`<tr class=${row.alarm ? "alarm" : ""} data-key=${row.key}>
     <th scope="row">${row.senses.map((name) => icon(name))}<span>${row.label}</span></th>
     <td class=${row.value === null ? "none" : "value"}>${row.value === null ? "no value" : `${about}${numberText(row.value)}`}
       <span class="unit">${row.value === null ? "" : unitText(row.unit)}</span></td>

@@ -2,29 +2,14 @@
 // The real program with the boiler: what `feelem probe` prints, the page shows; `feelem view` serves it.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { fileURLToPath } from "node:url";
+import { findProgram, ROOT, whyNoScene } from "./binary.mjs";
 import { listen, openPage, until } from "./harness.mjs";
 
-const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
 const BOILER = join(ROOT, "examples/boiler");
-
-/** The newest program that was built here; FEELEM_BINARY names another. */
-function findProgram() {
-  if (process.env.FEELEM_BINARY) return process.env.FEELEM_BINARY;
-  const built = ["release", "dev"]
-    .map((preset) => join(ROOT, "build", preset, "bin/feelem"))
-    .filter(existsSync);
-  return built.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs)[0] ?? null;
-}
-
-const whyNot = !findProgram()
-  ? "the program is not built"
-  : existsSync(join(BOILER, "boiler.frd"))
-    ? null
-    : "the boiler is not here";
+const whyNot = whyNoScene("examples/boiler/boiler.frd");
 
 /** Converts the boiler and serves it; gives address, scene file and an end. */
 async function viewBoiler() {
