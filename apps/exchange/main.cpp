@@ -3,7 +3,7 @@
 // output, for src/read/exchange. A program of its own, bounded in time and memory, because those libraries
 // may crash on damaged files.
 //
-// feelem-exchange MEBIBYTES SECONDS list|REQUEST FORMAT PATH
+// feelem-exchange MEBIBYTES SECONDS FORMAT PATH list|REQUEST...
 #include "read/exchange/neutral_form.hpp"
 
 #ifdef FEELEM_HAS_VTK
@@ -22,9 +22,11 @@
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -52,19 +54,20 @@ std::string error_answer(std::string_view text) {
     return static_cast<char>(Answer::Unsupported) + std::string(text);
 }
 
-std::string answer(std::string_view what, const std::string& format, const std::string& path) {
-    const bool list = what == "list";
-    const NeutralResult result = list ? NeutralResult{} : read_request(what);
+std::string answer(const std::string& format, const std::string& path, std::span<char* const> what) {
+    const bool list = std::string_view(what.front()) == "list";
+    std::vector<NeutralResult> results;
+    for (std::size_t i = 0; !list && i < what.size(); ++i) results.push_back(read_request(what[i]));
     if (format == "med") {
 #ifdef FEELEM_HAS_HDF5
-        return list ? list_med(path) : load_med(path, result);
+        return list ? list_med(path) : load_med(path, results);
 #else
         return unsupported_answer("this build reads no MED files: install libhdf5-dev and build Feelem again"
         );
 #endif
     }
 #ifdef FEELEM_HAS_VTK
-    return list ? list_vtk(format, path) : load_vtk(format, path, result);
+    return list ? list_vtk(format, path) : load_vtk(format, path, results);
 #else
     return unsupported_answer("this build reads no such files: install libvtk9-dev and build Feelem again");
 #endif
@@ -92,9 +95,9 @@ int main(int argc, char** argv) {
     dup2(nowhere, STDOUT_FILENO);
     std::string bytes;
     try {
-        if (argc != 6) throw std::invalid_argument("this program is run by feelem, not by people");
+        if (argc < 6) throw std::invalid_argument("this program is run by feelem, not by people");
         bound(number_of(argv[1]), number_of(argv[2]));
-        bytes = answer(argv[3], argv[4], argv[5]);
+        bytes = answer(argv[3], argv[4], std::span(argv + 5, static_cast<std::size_t>(argc - 5)));
     } catch (const std::bad_alloc&) {
         bytes = error_answer("the file asks for far more memory than one of its size should need");
     } catch (const std::exception& error) {

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ using test::curved_example;
 using test::expect_example;
 using test::Kept;
 using test::stack_example;
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+using testing::UnorderedElementsAreArray;
 
 /// Skips what this build has no library for.
 class ExchangeExamples : public testing::Test {
@@ -60,9 +64,66 @@ TEST_F(ExchangeExamples, exodus_of_second_order_has_everything) {
     expect_example(*model, curved_example(), {.parts = Kept::Parts::OnePerType, .steps = {0}});
 }
 
+/// Places of the nodes of a set.
+std::vector<Point3> places_of(const Mesh& mesh, const std::string& set) {
+    std::vector<Point3> places;
+    for (const NodeSet& one : mesh.node_sets) {
+        if (one.name != set) continue;
+        for (const NodeIndex node : one.nodes) places.push_back(mesh.coordinates[raw(node)]);
+    }
+    return places;
+}
+
+std::vector<std::string> set_names(const Mesh& mesh) {
+    std::vector<std::string> names;
+    for (const NodeSet& one : mesh.node_sets) names.push_back(one.name);
+    return names;
+}
+
+TEST_F(ExchangeExamples, node_and_side_sets_of_exodus_are_sets_of_nodes) {
+    OPEN_OR_SKIP(model, "exodus/stack.exo");
+    const Mesh& mesh = model->mesh();
+    EXPECT_THAT(set_names(mesh), ElementsAre("clamped", "node set 3", "some sides"));
+    const Point3 a{0, 0, 0}, b{1, 0, 0}, c{1, 1, 0}, d{0, 1, 0};
+    EXPECT_THAT(places_of(mesh, "clamped"), ElementsAre(a, b, c, d));
+    EXPECT_THAT(places_of(mesh, "node set 3"), ElementsAre(Point3{0, 0, 2}));
+    EXPECT_THAT(
+        places_of(mesh, "some sides"),
+        UnorderedElementsAre(a, b, c, d, Point3{1, 0, 1}, Point3{2, 0, 1}, Point3{1, 1, 1})
+    );
+}
+
+TEST_F(ExchangeExamples, sides_of_second_order_have_their_middle_nodes) {
+    OPEN_OR_SKIP(model, "exodus/curved.exo");
+    // On the side of the element that begins at x = 3 i.
+    const auto is_on = [](const Point3& at) {
+        const auto i = static_cast<int>(std::floor(at[0] / 3));
+        const double x = at[0] - 3 * i, y = at[1], z = at[2];
+        switch (i) {
+        case 0: return y == 0;
+        case 1: return x == 0;
+        case 2: return z == 0;
+        case 3: return x + y + z == 1;
+        case 4: return true;
+        default: return 2 * x + y == 2;
+        }
+    };
+    std::vector<Point3> right;
+    for (const Point3& at : curved_example().points) {
+        if (is_on(at)) right.push_back(at);
+    }
+    EXPECT_THAT(places_of(model->mesh(), "some sides"), UnorderedElementsAreArray(right));
+    EXPECT_EQ(right.size(), 8U + 8U + 8U + 6U + 8U + 3U);
+}
+
 TEST_F(ExchangeExamples, med_has_everything) {
     OPEN_OR_SKIP(model, "med/stack.med");
     expect_example(*model, stack_example(), {});
+    EXPECT_THAT(set_names(model->mesh()), ElementsAre("clamped"));
+    EXPECT_EQ(places_of(model->mesh(), "clamped").size(), 4U);
+    ASSERT_EQ(model->mesh().element_sets.size(), 1U);
+    EXPECT_EQ(model->mesh().element_sets[0].name, "all");
+    EXPECT_EQ(model->mesh().element_sets[0].elements.size(), 5U);
     EXPECT_TRUE(diagnostics().entries().empty());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What comes through the pipe from the helper program is as little trusted as any file; names in lists of
-// files.
+// What comes through the pipe from the helper program is as little trusted as any file; how often it is
+// started; names in lists of files.
+#include "read/exchange/asked_values.hpp"
 #include "read/exchange/family_names.hpp"
 #include "read/exchange/neutral_form.hpp"
 
@@ -8,6 +9,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cstring>
+#include <functional>
 
 namespace feelem::exchange {
 namespace {
@@ -25,6 +29,7 @@ NeutralModel sample() {
     model.element_nodes = {0, 1, 2};
     model.skipped = {{"vtkPolyhedron of 9 points", 3}};
     model.node_sets = {{"fixed", {0, 2}}};
+    model.element_sets = {{"all", {0}}};
     model.steps = {{0, 1, 1, StepKind::Time, 0.25, ""}};
     model.results = {{"T", 1, Location::Nodal, 0, {"TEMP"}}};
     model.length_unit = "mm";
@@ -38,6 +43,7 @@ TEST(NeutralForm, model_comes_through_whole) {
     EXPECT_EQ(back.types[0], ElementType::Tri3);
     EXPECT_EQ(back.skipped[0].second, 3U);
     EXPECT_THAT(back.node_sets[0].second, ElementsAre(0, 2));
+    EXPECT_EQ(back.element_sets, sample().element_sets);
     EXPECT_EQ(back.steps[0].kind, StepKind::Time);
     EXPECT_EQ(back.steps[0].value, 0.25);
     EXPECT_EQ(back.results[0].name, "T");
@@ -69,6 +75,93 @@ TEST(NeutralForm, elements_of_nodes_that_do_not_exist_are_refused) {
     NeutralModel model = sample();
     model.element_nodes[1] = 3;
     EXPECT_THROW(read_model(write_model(model), "x"), Error);
+}
+
+TEST(NeutralForm, digest_tells_meshes_apart_but_not_where_nodes_moved_to) {
+    NeutralModel moved = sample(), other = sample();
+    moved.coordinates[0] = 5;
+    EXPECT_EQ(mesh_digest(moved), mesh_digest(sample()));
+    std::swap(other.element_nodes[0], other.element_nodes[1]);
+    EXPECT_NE(mesh_digest(other), mesh_digest(sample()));
+}
+
+std::string two_values() {
+    NeutralWriter to(Answer::Values);
+    write_values(to, 7, {1.5F, 2.5F});
+    write_values(to, 8, {});
+    return to.take();
+}
+
+TEST(NeutralForm, values_come_with_the_digests_of_their_meshes) {
+    const std::string answer = two_values();
+    const auto values = read_values(answer, 2, "x");
+    ASSERT_EQ(values.size(), 2U);
+    EXPECT_EQ(values[0].mesh_digest, 7U);
+    EXPECT_EQ(values[0].bytes.size(), 2 * sizeof(float));
+    EXPECT_EQ(values[1].mesh_digest, 8U);
+    EXPECT_TRUE(values[1].bytes.empty());
+}
+
+TEST(NeutralForm, values_that_end_anywhere_are_an_error) {
+    const std::string answer = two_values();
+    EXPECT_THROW(read_values(answer, 3, "x"), Error);
+    for (std::size_t length = 0; length < answer.size(); ++length)
+        EXPECT_THROW(read_values(answer.substr(0, length), 2, "x"), Error) << length;
+    std::string huge = answer;
+    huge[16] = '\xFF';
+    EXPECT_THROW(read_values(huge, 2, "x"), Error);
+}
+
+/// A helper that answers with the first character of the result's name, and fails on "bad".
+struct ToyHelper {
+    std::vector<std::size_t> asked;
+    std::string operator()(const std::vector<std::string>& requests) {
+        asked.push_back(requests.size());
+        NeutralWriter to(Answer::Values);
+        for (const std::string& request : requests) {
+            const std::string name = read_request(request).name;
+            if (name == "bad") throw Error(Code::BadStructure, "x", "as asked for");
+            write_values(to, 1, std::vector<float>(3, static_cast<float>(name[0])));
+        }
+        return to.take();
+    }
+};
+
+float first_value(const NeutralValues& values) {
+    float value = 0;
+    std::memcpy(&value, values.bytes.data(), sizeof value);
+    return value;
+}
+
+TEST(AskedValues, helper_is_started_once_for_many_small_results) {
+    ToyHelper helper;
+    AskedValues values(std::ref(helper), "x");
+    values.list({{"a", 1}, {"b", 1}, {"c", 1}}, 3, 3);
+    EXPECT_EQ(first_value(values.get(0)), 'a');
+    EXPECT_EQ(first_value(values.get(2)), 'c');
+    EXPECT_EQ(first_value(values.get(1)), 'b');
+    EXPECT_EQ(first_value(values.get(0)), 'a');
+    EXPECT_THAT(helper.asked, ElementsAre(3U));
+}
+
+TEST(AskedValues, damaged_result_takes_no_other_with_it) {
+    ToyHelper helper;
+    AskedValues values(std::ref(helper), "x");
+    values.list({{"a", 1}, {"bad", 1}, {"c", 1}}, 3, 3);
+    EXPECT_EQ(first_value(values.get(0)), 'a');
+    EXPECT_THROW(values.get(1), Error);
+    EXPECT_EQ(first_value(values.get(2)), 'c');
+    EXPECT_THAT(helper.asked, ElementsAre(3U, 1U, 1U, 1U));
+}
+
+TEST(AskedValues, large_results_are_asked_for_alone) {
+    ToyHelper helper;
+    AskedValues values(std::ref(helper), "x");
+    constexpr std::size_t kManyNodes = 12u << 20;
+    values.list({{"a", 1}, {"b", 1}, {"c", 1}}, kManyNodes, 3);
+    EXPECT_EQ(first_value(values.get(0)), 'a');
+    EXPECT_EQ(first_value(values.get(1)), 'b');
+    EXPECT_THAT(helper.asked, ElementsAre(1U, 1U));
 }
 
 TEST(NeutralForm, request_comes_back) {

@@ -318,6 +318,62 @@ TEST_F(Vtk, pieces_of_a_pvtu_are_found_and_recorded) {
     EXPECT_EQ(opened->model->inputs().size(), 2U);
 }
 
+/// A list of two times: the wedge, and one at another time.
+std::vector<NamedBytes> two_times(const std::string& first, const std::string& second) {
+    return {
+        {"two.pvd",
+         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\"><Collection>\n"
+         "<DataSet timestep=\"1\" file=\"a.vtu\"/>\n<DataSet timestep=\"2\" file=\"b.vtu\"/>\n"
+         "</Collection></VTKFile>\n"},
+        {"a.vtu", first},
+        {"b.vtu", second}};
+}
+
+/// A triangle whose middle array is its nodes' ids.
+std::string triangle(const std::string& ids, const std::string& nodes) {
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n<UnstructuredGrid>"
+           "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\n<PointData>"
+           "<DataArray type=\"Int32\" Name=\"GlobalNodeId\" format=\"ascii\">" +
+           ids +
+           "</DataArray><DataArray type=\"Float32\" Name=\"T\" format=\"ascii\">1 2 "
+           "3</DataArray></PointData>\n"
+           "<Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 "
+           "0</DataArray></Points>\n<Cells><DataArray type=\"Int32\" Name=\"connectivity\" "
+           "format=\"ascii\">" +
+           nodes +
+           "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
+           "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5</DataArray></Cells>\n"
+           "</Piece></UnstructuredGrid></VTKFile>\n";
+}
+
+TEST_F(Vtk, later_times_must_have_the_nodes_and_elements_of_the_first) {
+    const std::string first = triangle("7 8 9", "0 1 2");
+    EXPECT_EQ(open_bytes(two_times(first, first))->model->load(1).values[2], 3.0F);
+    for (const std::string& other : {triangle("7 9 8", "0 1 2"), triangle("7 8 9", "1 2 0")}) {
+        const auto opened = open_bytes(two_times(first, other));
+        EXPECT_EQ(opened->model->load(0).values[2], 3.0F);
+        try {
+            opened->model->load(1);
+            ADD_FAILURE() << "values of other nodes were taken";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), Code::MeshesDiffer);
+            EXPECT_THAT(error.what(), HasSubstr("at step 2"));
+        }
+    }
+}
+
+TEST_F(Vtk, points_of_pieces_with_one_id_at_two_places_stay_two_nodes) {
+    const std::string one = triangle("1 2 3", "0 1 2");
+    std::string moved = one;
+    moved.replace(moved.find("0 0 0 1 0 0"), 11, "0 0 5 1 0 5");
+    auto files = two_times(one, moved);
+    const std::string later = "timestep=\"2\"";
+    files[0].bytes.replace(files[0].bytes.find(later), later.size(), "timestep=\"1\"");
+    const auto opened = open_bytes(std::move(files));
+    EXPECT_EQ(opened->model->mesh().node_count(), 6U);
+    EXPECT_EQ(opened->model->mesh().parts[1].name, "block 2");
+}
+
 TEST_F(Vtk, damaged_files_are_errors_with_words) {
     const std::string text = kWedge;
     const Error cut = error_of({{"wedge.vtk", text.substr(0, text.find("CELL_TYPES"))}});

@@ -56,6 +56,7 @@ public:
         read_families("NOEUD", node_groups_);
         add_node_sets();
         for (const MedType& type : med_types()) read_block(type);
+        model_.element_sets.assign(element_sets_.begin(), element_sets_.end());
         name_unknown_types();
         number_elements();
         return std::move(mesh_);
@@ -171,7 +172,7 @@ private:
         }
     }
 
-    /// The first group of an element's family names its part.
+    /// The first group of an element's family names its part; it is in the sets of the further ones.
     void add_parts(const std::string& path, std::size_t count) {
         const std::vector<std::int64_t> families =
             file_.exists(path) ? file_.integers(path) : std::vector<std::int64_t>{};
@@ -180,6 +181,12 @@ private:
                 e < families.size() ? element_groups_.find(families[e]) : element_groups_.end();
             const bool named =
                 groups != element_groups_.end() && !groups->second.empty() && !groups->second.front().empty();
+            if (groups != element_groups_.end()) {
+                for (std::size_t g = 1; g < groups->second.size(); ++g)
+                    element_sets_[groups->second[g]].push_back(
+                        static_cast<std::uint32_t>(model_.element_parts.size())
+                    );
+            }
             model_.element_parts.push_back(named ? part(groups->second.front()) : 0);
         }
     }
@@ -223,6 +230,7 @@ private:
     std::vector<Point> coordinates_;
     std::map<std::int64_t, std::vector<std::string>> element_groups_, node_groups_;
     std::map<std::string, std::uint32_t> parts_;
+    std::map<std::string, std::vector<std::uint32_t>> element_sets_;
     std::vector<std::vector<std::int64_t>> numbers_;
 };
 

@@ -19,10 +19,12 @@ namespace {
 constexpr std::size_t kComponentName = 16;
 constexpr std::int64_t kMostComponents = 100;
 
+using StepKey = std::tuple<std::int64_t, std::int64_t, double>;
+
 /// A field at a calculation step, and the step's key.
 struct FieldStep {
     std::string group;  ///< "/CHA/DEPL/0000...1"
-    std::tuple<std::int64_t, std::int64_t, double> key;
+    StepKey key;
 };
 
 std::vector<FieldStep> steps_of(const Hdf5File& file, const std::string& field) {
@@ -91,18 +93,47 @@ void fill(
     }
 }
 
+std::set<StepKey> all_steps(const Hdf5File& file) {
+    std::set<StepKey> keys;
+    for (const std::string& field : file.names_in("/CHA")) {
+        for (const FieldStep& step : steps_of(file, field)) keys.insert(step.key);
+    }
+    return keys;
+}
+
+std::vector<float> values_of(
+    const Hdf5File& file, const MedMesh& mesh, const std::set<StepKey>& keys, const NeutralResult& result
+) {
+    if (result.step >= keys.size() || result.components < 1 || result.components > kMostComponents)
+        throw std::runtime_error("there is no such step");
+    const StepKey key = *std::next(keys.begin(), result.step);
+    const bool nodal = result.location == Location::Nodal;
+    const std::size_t width = result.components;
+    std::vector<float> values(
+        (nodal ? mesh.nodes : mesh.elements) * width, std::numeric_limits<float>::quiet_NaN()
+    );
+    for (const FieldStep& step : steps_of(file, result.name)) {
+        if (step.key != key) continue;
+        if (nodal) fill(file, step.group + "/NOE", 0, mesh.nodes, width, values);
+        for (const MedType& type : med_types()) {
+            const auto block = mesh.blocks.find(type.name);
+            const std::string place = step.group + "/MAI." + std::string(type.name);
+            if (!nodal && block != mesh.blocks.end() && file.exists(place))
+                fill(file, place, block->second.first, block->second.count, width, values);
+        }
+    }
+    return values;
+}
+
 }  // namespace
 
 std::string list_med(const std::string& path) {
     const Hdf5File file(path);
     NeutralModel model;
     const MedMesh mesh = read_med_mesh(file, model);
-    std::set<std::tuple<std::int64_t, std::int64_t, double>> keys;
+    const std::set<StepKey> keys = all_steps(file);
     const std::vector<std::string> fields = file.names_in("/CHA");
-    for (const std::string& field : fields) {
-        for (const FieldStep& step : steps_of(file, field)) keys.insert(step.key);
-    }
-    std::map<std::tuple<std::int64_t, std::int64_t, double>, std::uint32_t> index;
+    std::map<StepKey, std::uint32_t> index;
     std::map<std::int64_t, std::int32_t> substeps;
     for (const auto& key : keys) {
         index[key] = static_cast<std::uint32_t>(model.steps.size());
@@ -136,33 +167,15 @@ std::string list_med(const std::string& path) {
     return write_model(model);
 }
 
-std::string load_med(const std::string& path, const NeutralResult& result) {
+std::string load_med(const std::string& path, const std::vector<NeutralResult>& results) {
     const Hdf5File file(path);
     NeutralModel model;
     const MedMesh mesh = read_med_mesh(file, model);
-    std::set<std::tuple<std::int64_t, std::int64_t, double>> keys;
-    for (const std::string& field : file.names_in("/CHA")) {
-        for (const FieldStep& step : steps_of(file, field)) keys.insert(step.key);
-    }
-    if (result.step >= keys.size() || result.components < 1 || result.components > kMostComponents)
-        throw std::runtime_error("there is no such step");
-    const auto key = *std::next(keys.begin(), result.step);
-    const bool nodal = result.location == Location::Nodal;
-    const std::size_t width = result.components;
-    std::vector<float> values(
-        (nodal ? mesh.nodes : mesh.elements) * width, std::numeric_limits<float>::quiet_NaN()
-    );
-    for (const FieldStep& step : steps_of(file, result.name)) {
-        if (step.key != key) continue;
-        if (nodal) fill(file, step.group + "/NOE", 0, mesh.nodes, width, values);
-        for (const MedType& type : med_types()) {
-            const auto block = mesh.blocks.find(type.name);
-            const std::string place = step.group + "/MAI." + std::string(type.name);
-            if (!nodal && block != mesh.blocks.end() && file.exists(place))
-                fill(file, place, block->second.first, block->second.count, width, values);
-        }
-    }
-    return write_values(model, values);
+    const std::set<StepKey> keys = all_steps(file);
+    NeutralWriter to(Answer::Values);
+    for (const NeutralResult& result : results)
+        write_values(to, mesh_digest(model), values_of(file, mesh, keys, result));
+    return to.take();
 }
 
 }  // namespace feelem::exchange

@@ -228,6 +228,7 @@ Merged merge(const std::vector<Leaf>& leaves, bool own_format, NeutralModel& mod
     Merged merged;
     merge_nodes(leaves, merged, model);
     const auto ids = element_ids_of(leaves);
+    merged.has_element_ids = ids.has_value();
     std::map<std::string, std::uint64_t> skipped;
     vtkNew<vtkIdList> points;
     std::int64_t cell_number = 0;

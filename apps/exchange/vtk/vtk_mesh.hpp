@@ -18,7 +18,7 @@ struct Merged {
     std::vector<std::vector<std::uint32_t>> node_of;     ///< Index of the node.
     std::vector<std::vector<std::uint32_t>> element_of;  ///< Index of the element; kNowhere: left out.
     std::size_t nodes = 0, elements = 0;
-    bool has_node_ids = false;  ///< The file's own.
+    bool has_node_ids = false, has_element_ids = false;  ///< The file's own.
 };
 
 /// Names of arrays that hold ids, and are no results.

@@ -6,6 +6,8 @@
 #include "vtk/vtk_mesh.hpp"
 #include "vtk/vtk_readers.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -34,7 +36,7 @@ std::string list_vtk(const std::string& format, const std::string& path) {
     const std::vector<Leaf> leaves = reader->read(0);
     if (leaves.empty()) throw std::runtime_error("the file holds no mesh");
     NeutralModel model;
-    merge(leaves, reader->own_format(), model);
+    reader->add_sets(merge(leaves, reader->own_format(), model), model);
     if (model.types.empty() && model.skipped.empty())
         throw std::runtime_error("the file holds points but no cells: it was cut, or is no mesh");
     const std::size_t steps = times.empty() ? 1 : times.size();
@@ -51,13 +53,28 @@ std::string list_vtk(const std::string& format, const std::string& path) {
     return write_model(model);
 }
 
-std::string load_vtk(const std::string& format, const std::string& path, const NeutralResult& result) {
-    const auto reader = open_vtk(format, path);
-    reader->times();
-    const std::vector<Leaf> leaves = reader->read(result.step);
-    NeutralModel model;
-    const Merged merged = merge(leaves, reader->own_format(), model);
-    return write_values(model, values_of(leaves, merged, result));
+std::string load_vtk(
+    const std::string& format, const std::string& path, const std::vector<NeutralResult>& results
+) {
+    NeutralWriter to(Answer::Values);
+    std::vector<Leaf> leaves;
+    Merged merged;
+    std::uint64_t digest = 0;
+    std::optional<std::uint32_t> step;
+    for (const NeutralResult& result : results) {
+        if (step != result.step) {
+            // A reader for each step: what one keeps of the step before would stand where a file has nothing.
+            const auto reader = open_vtk(format, path);
+            reader->times();
+            leaves = reader->read(result.step);
+            NeutralModel model;
+            merged = merge(leaves, reader->own_format(), model);
+            digest = mesh_digest(model);
+            step = result.step;
+        }
+        write_values(to, digest, values_of(leaves, merged, result));
+    }
+    return to.take();
 }
 
 }  // namespace feelem::exchange

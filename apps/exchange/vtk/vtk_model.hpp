@@ -5,11 +5,14 @@
 #include "read/exchange/neutral_form.hpp"
 
 #include <string>
+#include <vector>
 
 namespace feelem::exchange {
 
 std::string list_vtk(const std::string& format, const std::string& path);
-/// The values of a result of that list.
-std::string load_vtk(const std::string& format, const std::string& path, const NeutralResult& result);
+/// The values of results of that list, in the order asked for.
+std::string load_vtk(
+    const std::string& format, const std::string& path, const std::vector<NeutralResult>& results
+);
 
 }  // namespace feelem::exchange

@@ -3,8 +3,10 @@
 
 #include "base/input.hpp"
 #include "read/exchange/family_names.hpp"
+#include "vtk/exodus_sets.hpp"
 #include "vtk/exodus_values.hpp"
 #include "vtk/joined_tensors.hpp"
+#include "vtk/vtk_mesh.hpp"
 
 #include <vtkAlgorithm.h>
 #include <vtkCGNSReader.h>
@@ -172,15 +174,19 @@ private:
 class ExodusReader : public PipelineReader {
 public:
     ExodusReader(vtkSmartPointer<vtkAlgorithm> reader, const std::string& path)
-        : PipelineReader(std::move(reader), false), values_(path) {}
+        : PipelineReader(std::move(reader), false), path_(path), values_(path) {}
     std::vector<Leaf> read(std::size_t step) override {
         std::vector<Leaf> leaves = PipelineReader::read(step);
         values_.put_into(leaves, step);
         join_tensors(leaves);
         return leaves;
     }
+    void add_sets(const Merged& merged, NeutralModel& model) const override {
+        if (merged.has_node_ids) add_exodus_sets(path_, merged.has_element_ids, model);
+    }
 
 private:
+    std::string path_;
     ExodusValues values_;
 };
 

@@ -13,6 +13,9 @@ class vtkDataSet;
 
 namespace feelem::exchange {
 
+struct Merged;
+struct NeutralModel;
+
 /// A data set without blocks of its own, and what its block is called.
 struct Leaf {
     std::string name;
@@ -30,6 +33,8 @@ public:
     /// Whether the files are VTK's own, whose wedges have the triangle 0 1 2 facing away from 3 4 5. VTK's
     /// readers of other formats turn some wedges and others not: the sign of the volume tells.
     virtual bool own_format() const { return true; }
+    /// Sets of nodes that the data sets do not show. `merged` is what made `model` of them.
+    virtual void add_sets(const Merged&, NeutralModel&) const {}
 };
 
 /// `format`: vtk vtu pvd exodus ensight cgns d3plot. Throws std::runtime_error with VTK's words.

@@ -123,88 +123,73 @@ Names d3plot_others(const Input& input, IncludeFiles* includes) {
     return names;
 }
 
-template <Names (*others)(const Input&, IncludeFiles*)>
-std::unique_ptr<ModelSource> open_with(
-    const char* format, std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics
-) {
-    const Input& input = inputs.front();
-    return open_exchange(format, input, others(input, context.includes), context, diagnostics);
+struct Kind {
+    ReadFormatInfo info;
+    Likelihood (*recognise)(const Input& input);
+    const char* helpers_word;
+    Names (*others)(const Input& input, IncludeFiles* includes);
+};
+
+constexpr Kind kLegacy{
+    {"vtk", "VTK legacy files, text and binary", ".vtk", true, true}, recognise_legacy, "vtk", no_others};
+constexpr Kind kXml{
+    {"vtu", "VTK XML files and their pieces", ".vtu .pvtu .vtp", true, true},
+    recognise_xml,
+    "vtu",
+    xml_others};
+constexpr Kind kPvd{
+    {"pvd", "ParaView collections in time", ".pvd", true, true}, recognise_pvd, "pvd", pvd_others};
+constexpr Kind kExodus{
+    {"exodus", "Exodus II", ".exo .e .g .ex2", true, true}, recognise_exodus, "exodus", no_others};
+constexpr Kind kEnsight{
+    {"ensight", "EnSight Gold and 6", ".case .encas", true, true},
+    recognise_ensight,
+    "ensight",
+    ensight_others};
+constexpr Kind kCgns{{"cgns", "CGNS", ".cgns", true, true}, recognise_cgns, "cgns", no_others};
+constexpr Kind kD3plot{
+    {"lsdyna-d3plot", "LS-DYNA results", "d3plot", true, true}, recognise_d3plot, "d3plot", d3plot_others};
+constexpr Kind kMed{
+    {"med", "MED of Salome and code_aster", ".med .rmed", true, true}, recognise_med, "med", no_others};
+
+template <const Kind& kind>
+ReadFormat format_of() {
+    const auto open = [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics
+                      ) {
+        const Input& input = inputs.front();
+        return open_exchange(
+            kind.helpers_word, input, kind.others(input, context.includes), context, diagnostics
+        );
+    };
+    return {kind.info, false, kind.recognise, open};
 }
 
 }  // namespace
 }  // namespace exchange
 
 ReadFormat vtk_legacy_format() {
-    return {
-        {"vtk", "VTK legacy files, text and binary", ".vtk", true, true},
-        false,
-        exchange::recognise_legacy,
-        [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
-            return exchange::open_with<exchange::no_others>("vtk", inputs, context, diagnostics);
-        }};
+    return exchange::format_of<exchange::kLegacy>();
 }
 ReadFormat vtk_xml_format() {
-    return {
-        {"vtu", "VTK XML files and their pieces", ".vtu .pvtu .vtp", true, true},
-        false,
-        exchange::recognise_xml,
-        [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
-            return exchange::open_with<exchange::xml_others>("vtu", inputs, context, diagnostics);
-        }};
+    return exchange::format_of<exchange::kXml>();
 }
 ReadFormat pvd_format() {
-    return {
-        {"pvd", "ParaView collections in time", ".pvd", true, true},
-        false,
-        exchange::recognise_pvd,
-        [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
-            return exchange::open_with<exchange::pvd_others>("pvd", inputs, context, diagnostics);
-        }};
+    return exchange::format_of<exchange::kPvd>();
 }
 ReadFormat exodus_format() {
-    return {
-        {"exodus", "Exodus II", ".exo .e .g .ex2", true, true},
-        false,
-        exchange::recognise_exodus,
-        [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
-            return exchange::open_with<exchange::no_others>("exodus", inputs, context, diagnostics);
-        }};
+    return exchange::format_of<exchange::kExodus>();
 }
 ReadFormat ensight_format() {
-    return {
-        {"ensight", "EnSight Gold and 6", ".case .encas", true, true},
-        false,
-        exchange::recognise_ensight,
-        [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
-            return exchange::open_with<exchange::ensight_others>("ensight", inputs, context, diagnostics);
-        }};
+    return exchange::format_of<exchange::kEnsight>();
 }
 ReadFormat cgns_format() {
-    return {
-        {"cgns", "CGNS", ".cgns", true, true},
-        false,
-        exchange::recognise_cgns,
-        [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
-            return exchange::open_with<exchange::no_others>("cgns", inputs, context, diagnostics);
-        }};
+    return exchange::format_of<exchange::kCgns>();
 }
 ReadFormat lsdyna_d3plot_format() {
-    return {
-        {"lsdyna-d3plot", "LS-DYNA results", "d3plot", true, true},
-        false,
-        exchange::recognise_d3plot,
-        [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
-            return exchange::open_with<exchange::d3plot_others>("d3plot", inputs, context, diagnostics);
-        }};
+    return exchange::format_of<exchange::kD3plot>();
 }
 ReadFormat med_format() {
-    return {
-        {"med", "MED of Salome and code_aster", ".med .rmed", true, true},
-        false,
-        exchange::recognise_med,
-        [](std::span<const Input> inputs, const ReadContext& context, Diagnostics& diagnostics) {
-            return exchange::open_with<exchange::no_others>("med", inputs, context, diagnostics);
-        }};
+    return exchange::format_of<exchange::kMed>();
 }
 
 }  // namespace feelem

@@ -4,6 +4,7 @@
 #include "model/mesh_builder.hpp"
 #include "model/node_lookup.hpp"
 #include "read/element_lookup.hpp"
+#include "read/exchange/asked_values.hpp"
 #include "read/exchange/helper_process.hpp"
 #include "read/exchange/input_files.hpp"
 #include "read/exchange/neutral_form.hpp"
@@ -37,8 +38,8 @@ public:
         const ReadContext& context,
         Diagnostics& diagnostics
     )
-        : ListedSource(main, diagnostics), format_(std::move(format)),
-          files_(main, others, context.includes) {
+        : ListedSource(main, diagnostics), format_(std::move(format)), files_(main, others, context.includes),
+          values_([this](const std::vector<std::string>& requests) { return ask(requests); }, main.name()) {
         NeutralModel model = read_model(ask({"list"}), input().name());
         set_mesh(make_mesh(model, diagnostics), context, "the file defines no nodes");
         mesh_digest_ = mesh_digest(model);
@@ -48,9 +49,10 @@ public:
     }
 
 private:
-    std::string ask(std::vector<std::string> what) const {
-        what.insert(what.end(), {format_, files_.path()});
-        return ask_helper(what, input().name(), files_.bytes());
+    std::string ask(const std::vector<std::string>& what) const {
+        std::vector<std::string> words{format_, files_.path()};
+        words.insert(words.end(), what.begin(), what.end());
+        return ask_helper(words, input().name(), files_.bytes());
     }
 
     /// Meshers' own formats name boundaries by elements on the sides of others.
@@ -158,7 +160,7 @@ private:
             infos.push_back(std::move(info));
         }
         set_contents(std::move(model.steps), std::move(infos));
-        listed_ = std::move(model.results);
+        values_.list(std::move(model.results), node_ids_.size(), element_ids_.size());
     }
 
     /// code_aster puts the name of its result, filled up to eight characters with _, before that of the
@@ -208,14 +210,13 @@ private:
     }
 
     LoadedResult read(std::size_t index) override {
-        const std::string answer = ask({write_request(listed_[index])});
         LoadedResult loaded;
         const ResultInfo& info = results()[index];
         loaded.result.info = info;
         const bool nodal = info.location == Location::Nodal;
         const std::size_t width = info.components.size();
         const std::size_t rows = nodal ? node_ids_.size() : element_ids_.size();
-        const NeutralValues values = read_values(answer, input().name());
+        const NeutralValues values = values_.get(index);
         if (values.mesh_digest != mesh_digest_ || values.bytes.size() != rows * width * sizeof(float)) {
             throw Error(
                 Code::MeshesDiffer,
@@ -248,7 +249,7 @@ private:
     InputFiles files_;
     std::uint64_t mesh_digest_ = 0;
     std::vector<std::int64_t> node_ids_, element_ids_;  ///< In the order of the helper's values.
-    std::vector<NeutralResult> listed_;
+    AskedValues values_;
     std::vector<std::vector<std::uint32_t>> places_;
 };
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 
 namespace feelem::exchange {
@@ -133,22 +134,37 @@ std::uint64_t mesh_digest(const NeutralModel& model) {
     return digest;
 }
 
-std::string write_values(const NeutralModel& model, const std::vector<float>& values) {
-    NeutralWriter to(Answer::Values);
-    to.put(mesh_digest(model));
-    std::string bytes = to.take();
-    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
-    return bytes;
+void write_values(NeutralWriter& to, std::uint64_t mesh_digest, const std::vector<float>& values) {
+    to.put(mesh_digest);
+    to.put(values);
 }
 
-NeutralValues read_values(std::string_view answer, const std::string& name) {
-    constexpr std::size_t kHead = 1 + sizeof(std::uint64_t);
-    if (answer.size() < kHead || answer[0] != static_cast<char>(Answer::Values))
-        throw Error(Code::BadStructure, name, "the helper program gave no values: the file must be damaged");
-    NeutralValues values;
-    std::memcpy(&values.mesh_digest, answer.data() + 1, sizeof values.mesh_digest);
-    values.bytes = std::span(answer.data() + kHead, answer.size() - kHead);
-    return values;
+std::vector<NeutralValues> read_values(std::string_view answer, std::size_t count, const std::string& name) {
+    const auto take = [&](std::size_t size) {
+        if (size > answer.size())
+            throw Error(
+                Code::BadStructure, name, "the helper program gave too few values: the file must be damaged"
+            );
+        const std::string_view bytes = answer.substr(0, size);
+        answer.remove_prefix(size);
+        return bytes;
+    };
+    const auto number = [&] {
+        std::uint64_t value = 0;
+        std::memcpy(&value, take(sizeof value).data(), sizeof value);
+        return value;
+    };
+    std::vector<NeutralValues> all;
+    if (take(1)[0] != static_cast<char>(Answer::Values)) answer = {};
+    while (all.size() < count) {
+        NeutralValues& values = all.emplace_back();
+        values.mesh_digest = number();
+        const std::uint64_t floats = number();
+        const std::string_view bytes =
+            take(floats > answer.size() ? SIZE_MAX : static_cast<std::size_t>(floats) * sizeof(float));
+        values.bytes = std::span(bytes.data(), bytes.size());
+    }
+    return all;
 }
 
 std::string write_request(const NeutralResult& result) {

@@ -44,7 +44,7 @@ struct NeutralModel {
 /// First byte of an answer.
 enum class Answer : std::uint8_t {
     Model = 'M',
-    Values = 'V',       ///< mesh_digest(), then floats in the order of nodes or elements, missing ones NaN.
+    Values = 'V',       ///< A NeutralValues for each request.
     Error = 'E',        ///< Words for the user.
     Unsupported = 'U',  ///< The same: this build lacks the library.
 };
@@ -78,15 +78,16 @@ std::string write_model(const NeutralModel& model);
 
 /// What tells whether two steps have the same nodes and elements, whatever places the nodes moved to.
 std::uint64_t mesh_digest(const NeutralModel& model);
-/// `model`: of the step that the values are of.
-std::string write_values(const NeutralModel& model, const std::vector<float>& values);
 
+/// One result.
 struct NeutralValues {
-    std::uint64_t mesh_digest = 0;
-    std::span<const char> bytes;  ///< Of floats; views the answer.
+    std::uint64_t mesh_digest = 0;  ///< Of its step.
+    std::span<const char> bytes;    ///< Of floats in the order of nodes or elements, missing ones NaN.
 };
-/// Throws Error(BadStructure) on anything that write_values() cannot have written.
-NeutralValues read_values(std::string_view answer, const std::string& name);
+/// Appends one to an answer that was begun with Answer::Values.
+void write_values(NeutralWriter& to, std::uint64_t mesh_digest, const std::vector<float>& values);
+/// Views of the answer. Throws Error(BadStructure) on anything but `count` of what write_values() writes.
+std::vector<NeutralValues> read_values(std::string_view answer, std::size_t count, const std::string& name);
 
 /// A result as a word on the helper's command line, and back. Throws std::runtime_error.
 std::string write_request(const NeutralResult& result);

@@ -61,7 +61,8 @@ def write_one(path, model, steps):
     file.call("MEDfamilyCr", b"mesh", b"FAMILLE_ZERO", 0, 0, b"")
     file.call("MEDfamilyCr", b"mesh", b"clamped nodes", 1, 1, text(["clamped"], 80))
     for number, part in enumerate(model.parts(), 1):
-        file.call("MEDfamilyCr", b"mesh", part.encode(), -number, 1, text([part], 80))
+        groups = [part, "all"]
+        file.call("MEDfamilyCr", b"mesh", part.encode(), -number, len(groups), text(groups, 80))
     file.call("MEDmeshEntityFamilyNumberWr", b"mesh", NO, NO, NODE, 0, count,
               integers([1 if i < 4 else 0 for i in range(count)]))
     # MED keeps one array a type: in both models each type is in one part.

@@ -14,15 +14,16 @@ NAMES = {"hex8": "HEX8", "wedge6": "WEDGE6", "pyramid5": "PYRAMID5", "tet4": "TE
 ORDER = {"hex20": [*range(12), *range(16, 20), *range(12, 16)],
          "wedge15": [*range(9), *range(12, 15), *range(9, 12)]}
 STRESS = ["stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx"]
-# Sides of a brick and a wedge are counted from 1: brick 5 is the bottom, wedge 5 the top.
-SIDES = [(0, 5), (1, 5)]
+# (Element, side), each from 1. Of the stack the bottom of the brick and the top of the wedge; of the curved one a side of
+# each element, the plate's front and an edge of the triangle.
+SIDES = {"stack": [(1, 5), (2, 5)], "curved": [(1, 1), (2, 3), (3, 5), (4, 2), (5, 1), (6, 4)]}
 
 
 def words(names, width=33):
     return numpy.array([list(n.encode().ljust(width, b"\0")) for n in names], "u1").view("S1")
 
 
-def write_one(path, model, steps, with_sets):
+def write_one(path, model, steps):
     file = netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET")
     file.set_auto_mask(False)
     file.setncatts({"api_version": numpy.float32(7.05), "version": numpy.float32(7.05),
@@ -63,8 +64,7 @@ def write_one(path, model, steps, with_sets):
         rows = file.createVariable(f"connect{b}", "i4", (f"num_el_in_blk{b}", f"num_nod_per_el{b}"))
         rows.setncattr("elem_type", NAMES[type_])
         rows[:] = [[e.nodes[i] + 1 for i in order] for e in block]
-    if with_sets:
-        add_sets(file, dimension, variable, elements)
+    add_sets(file, dimension, variable, SIDES[model.name])
     variable("name_nod_var", "S1", ("num_nod_var", "len_name"), words(node_names))
     variable("name_elem_var", "S1", ("num_elem_var", "len_name"), words(element_names))
     # The truth table: which block has which variable.
@@ -93,7 +93,7 @@ def put(file, name, dimension, step, values):
     file.variables[name][step, :] = values
 
 
-def add_sets(file, dimension, variable, elements):
+def add_sets(file, dimension, variable, sides):
     dimension("num_node_sets", 2)
     dimension("num_side_sets", 1)
     variable("ns_status", "i4", ("num_node_sets",), [1, 1])
@@ -107,12 +107,12 @@ def add_sets(file, dimension, variable, elements):
         dimension(f"num_nod_ns{i}", len(nodes))
         variable(f"node_ns{i}", "i4", (f"num_nod_ns{i}",), nodes)
     variable("ss_status", "i4", ("num_side_sets",), [1])
-    variable("ss_names", "S1", ("num_side_sets", "len_name"), words(["bottom and step"]))
-    dimension("num_side_ss1", len(SIDES))
-    variable("elem_ss1", "i4", ("num_side_ss1",), [e + 1 for e, _ in SIDES])
-    variable("side_ss1", "i4", ("num_side_ss1",), [s for _, s in SIDES])
+    variable("ss_names", "S1", ("num_side_sets", "len_name"), words(["some sides"]))
+    dimension("num_side_ss1", len(sides))
+    variable("elem_ss1", "i4", ("num_side_ss1",), [e for e, _ in sides])
+    variable("side_ss1", "i4", ("num_side_ss1",), [s for _, s in sides])
 
 
 def write(folder, stack, curved):
-    write_one(f"{folder}/stack.exo", stack, 2, True)
-    write_one(f"{folder}/curved.exo", curved, 1, False)
+    write_one(f"{folder}/stack.exo", stack, 2)
+    write_one(f"{folder}/curved.exo", curved, 1)
