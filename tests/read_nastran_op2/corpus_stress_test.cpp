@@ -6,6 +6,7 @@
 #include "feelem/derive.hpp"
 #include "feelem/read.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -187,6 +188,67 @@ TEST(NastranOp2, complex_stresses_and_strains_of_solids_obey_the_law_of_elastici
         }
     }
     EXPECT_EQ(pairs, 14U);  // Seven frequencies, real and imaginary.
+}
+
+/// The principal values and the equivalent one follow from the other columns, so all are in their places.
+TEST(NastranOp2, plies_have_the_principal_values_of_their_stresses_and_strains) {
+    const auto answers = test::corpus_file("nastran/answers.json");
+    if (!answers) GTEST_SKIP() << "the corpus is not here";
+    std::size_t rows = 0, files = 0, results = 0;
+    for (const test::Op2File& file : test::read_op2_answers(*answers)) {
+        if (file.failed || file.path == kWithoutNodes) continue;
+        SCOPED_TRACE(file.path);
+        Diagnostics diagnostics;
+        const auto model = open_corpus(file.path, diagnostics);
+        const std::size_t before = results;
+        for (std::size_t i = 0; i < model->results().size(); ++i) {
+            const ResultInfo& info = model->results()[i];
+            if (!info.name.starts_with("ply_")) continue;
+            ++results;
+            SCOPED_TRACE(info.name);
+            const bool strain = info.name.starts_with("ply_strain_");
+            const bool von_mises = info.components[5] == "von_mises";
+            const Result result = model->load(i);
+            ASSERT_EQ(result.row_count(), model->mesh().element_count());
+            for (std::size_t row = 0; row < result.row_count(); ++row) {
+                const float* v = &result.values[row * 8];
+                if (std::isnan(v[0])) continue;
+                ++rows;
+                const double middle = (double(v[0]) + v[1]) / 2, half = (double(v[0]) - v[1]) / 2;
+                const double radius = std::hypot(half, strain ? v[2] / 2.0 : double(v[2]));
+                const double near = 3e-6 * (std::abs(middle) + radius) + 1e-30;
+                EXPECT_NEAR(v[6], middle + radius, near);
+                EXPECT_NEAR(v[7], middle - radius, near);
+                const double shear = strain ? 2 * radius : radius;
+                const double mises = (strain ? 2. / 3 : 1) * std::sqrt(middle * middle + 3 * radius * radius);
+                EXPECT_NEAR(v[5], von_mises ? mises : shear, near);
+            }
+        }
+        if (results > before) ++files;
+    }
+    EXPECT_EQ(files, 17U);
+    EXPECT_EQ(results, 338U);
+    EXPECT_EQ(rows, 2678U);
+}
+
+/// Words of loadstep_elements.op2, unpacked by a script of its own.
+TEST(NastranOp2, nonlinear_elements_give_their_equivalent_stress_at_corners_and_fibres) {
+    if (!test::corpus_file("nastran/answers.json")) GTEST_SKIP() << "the corpus is not here";
+    Diagnostics diagnostics;
+    const auto model = open_corpus("models/elements/loadstep_elements.op2", diagnostics);
+    const Result solid = load(*model, "nonlinear_state", Layer::No);
+    EXPECT_THAT(
+        solid.info.components, testing::ElementsAre("equivalent_stress", "plastic_strain", "creep_strain")
+    );
+    EXPECT_EQ(value_at(model->mesh(), solid, "equivalent_stress", 1, 2), 3569.9636F);
+    EXPECT_EQ(value_at(model->mesh(), solid, "equivalent_stress", 1, 3), 2354.4182F);
+    EXPECT_EQ(value_at(model->mesh(), solid, "plastic_strain", 1, 2), 0);
+    const Result bottom = load(*model, "nonlinear_state", Layer::Bottom);
+    EXPECT_EQ(bottom.info.location, Location::Elemental);
+    EXPECT_EQ(value_at(model->mesh(), bottom, "equivalent_stress", 6, 0), 2715.9421F);
+    const Result top = load(*model, "nonlinear_state", Layer::Top);
+    EXPECT_EQ(value_at(model->mesh(), top, "equivalent_stress", 6, 0), 1952.9111F);
+    EXPECT_EQ(value_at(model->mesh(), top, "creep_strain", 6, 0), 0);
 }
 
 /// A complex result of one step, by its name, layer and part; empty when the file has none.

@@ -349,6 +349,78 @@ TEST(Op2, complex_shells_have_the_stresses_of_their_centre_in_their_own_system) 
     EXPECT_THAT(values(3, 9), ElementsAre(2, 4, 6.5));
 }
 
+TEST(Op2, tables_of_optistruct_say_by_their_name_that_they_are_strains) {
+    Op2Writer writer;
+    writer.head("OS2022.2");
+    write_shell(writer);
+    for (const char* table : {"OES1X", "OSTR1X"}) {
+        writer.begin_table(table);
+        writer.block({.table_code = 5, .element_type = 74, .row_words = 17}, shell_row(whole(101), 10));
+        writer.end_table();
+    }
+    Diagnostics diagnostics;
+    const auto model = open(writer.finish(), diagnostics);
+    ASSERT_THAT(names_of(*model), ElementsAre("stress", "stress", "strain", "strain"));
+    for (const ResultInfo& info : model->results()) EXPECT_EQ(info.components[0], "von_mises");
+}
+
+TEST(Op2, plies_are_a_result_each) {
+    Op2Writer writer;
+    write_shell(writer);
+    writer.begin_table("OES1C");
+    const auto ply_row = [](std::int64_t element, std::int64_t ply) {
+        Op2Words words{whole(element * 10 + 1), whole(ply)};
+        for (int i = 1; i <= 9; ++i) words.emplace_back(100. * static_cast<double>(ply) + i);
+        return words;
+    };
+    for (const int subcase : {1, 2}) {
+        writer.block(
+            {.table_code = 5, .element_type = 97, .subcase = subcase, .row_words = 11, .stress_bits = 5},
+            joined({ply_row(10, 1), ply_row(10, 3), ply_row(9, 3)})
+        );
+    }
+    writer.end_table();
+    Diagnostics diagnostics;
+    const auto model = open(writer.finish(), diagnostics);
+    EXPECT_EQ(test::exercise(*model), "");
+    EXPECT_THAT(
+        names_of(*model), ElementsAre("ply_stress_1", "ply_stress_3", "ply_stress_1", "ply_stress_3")
+    );
+    EXPECT_THAT(
+        model->results()[0].components,
+        ElementsAre("normal_1", "normal_2", "shear_12", "shear_1z", "shear_2z", "von_mises", "major", "minor")
+    );
+    EXPECT_EQ(model->results()[0].location, Location::Elemental);
+    const Result third = model->load(3);
+    for (std::uint32_t e = 0; e < model->mesh().element_count(); ++e) {
+        const auto id = raw(element_at(model->mesh(), ElementIndex{e}).id());
+        const std::vector<float> row(third.values.begin() + 8 * e, third.values.begin() + 8 * e + 8);
+        if (id == 9 || id == 10) {
+            EXPECT_THAT(row, ElementsAre(301, 302, 303, 304, 305, 309, 307, 308));
+        } else {
+            EXPECT_TRUE(std::isnan(row[0]));
+        }
+    }
+    const Result first = model->load(0);
+    EXPECT_EQ(std::ranges::count_if(first.values, [](float v) { return !std::isnan(v); }), 8);
+}
+
+TEST(Op2, hostile_plies_are_bounded) {
+    Op2Writer writer;
+    write_shell(writer);
+    writer.begin_table("OES1C");
+    Op2Words words;
+    for (std::int64_t ply = -5; ply < 3000; ++ply) {
+        words.push_back(whole(101));
+        words.push_back(whole(ply));
+        for (int i = 0; i < 9; ++i) words.emplace_back(1.);
+    }
+    writer.block({.table_code = 5, .element_type = 97, .row_words = 11}, words);
+    writer.end_table();
+    Diagnostics diagnostics;
+    EXPECT_EQ(open(writer.finish(), diagnostics)->results().size(), 1000U);
+}
+
 TEST(Op2, what_is_not_used_is_named_once_a_kind_with_its_elements) {
     Op2Writer writer;
     write_shell(writer);

@@ -28,6 +28,18 @@ constexpr ElementLayout complex_centre(int type, std::size_t fibre) {
     return {type, RowShape::ShellComplex, 0, 1 + 2 * fibre, fibre};
 }
 
+constexpr ElementLayout ply(int type) {
+    return {type, RowShape::Ply, 0, 11, 0};
+}
+constexpr ElementLayout nonlinear_solid(int type, std::size_t corners) {
+    constexpr std::size_t kPoint = 16;
+    return {type, RowShape::NonlinearSolid, corners, kNonlinearHead + kPoint * (corners + 1), kPoint};
+}
+constexpr ElementLayout nonlinear_shell(int type) {
+    constexpr std::size_t kFibre = 12;
+    return {type, RowShape::NonlinearShell, 0, 1 + 2 * kFibre, kFibre};
+}
+
 constexpr std::array kLayouts{
     ElementLayout{1, RowShape::Bar, 1, 5, 0},   // CROD
     ElementLayout{3, RowShape::Bar, 1, 5, 0},   // CTUBE
@@ -71,15 +83,26 @@ constexpr std::array kLayouts{
     complex_shell(82, 4, 8),
     complex_shell(144, 4, 7),
     complex_shell(144, 4, 8),
-    centre(33),     // CQUAD4
-    centre(74),     // CTRIA3
-    centre(227),    // CTRIAR
-    centre(228),    // CQUADR
-    shell(64, 4),   // CQUAD8
-    shell(70, 3),   // CTRIAR
-    shell(75, 3),   // CTRIA6
-    shell(82, 4),   // CQUADR
-    shell(144, 4),  // CQUAD4
+    centre(33),              // CQUAD4
+    centre(74),              // CTRIA3
+    centre(227),             // CTRIAR
+    centre(228),             // CQUADR
+    shell(64, 4),            // CQUAD8
+    shell(70, 3),            // CTRIAR
+    shell(75, 3),            // CTRIA6
+    shell(82, 4),            // CQUADR
+    shell(144, 4),           // CQUAD4
+    ply(95),                 // CQUAD4
+    ply(96),                 // CQUAD8
+    ply(97),                 // CTRIA3
+    ply(98),                 // CTRIA6
+    ply(232),                // CQUADR
+    ply(233),                // CTRIAR
+    nonlinear_solid(85, 4),  // CTETRA
+    nonlinear_solid(91, 6),  // CPENTA
+    nonlinear_solid(93, 8),  // CHEXA
+    nonlinear_shell(88),     // CTRIA3
+    nonlinear_shell(90),     // CQUAD4
 };
 
 }  // namespace

@@ -21,6 +21,9 @@ enum class RowShape : std::uint8_t {
     BarEnds,       ///< Largest and smallest at both ends.
     BarPoints,     ///< Complex: four points of the section at both ends, without the axial part.
     BeamPoints,    ///< Complex: the same with it, at stations.
+    Ply,           ///< A row a ply: stresses along its fibres and between plies.
+    NonlinearSolid,  ///< Centre and corners: stress, equivalent stress, plastic and creep strain, strain.
+    NonlinearShell,  ///< The same of two fibres, at the centre.
 };
 
 bool is_complex_shape(RowShape shape);
@@ -40,6 +43,7 @@ inline constexpr std::size_t kSolidPoint = 21;
 inline constexpr std::size_t kShellHead = 2;  ///< Number, "CEN/".
 inline constexpr std::size_t kShellPoint = 17;
 inline constexpr std::size_t kFibreWords = 8;
+inline constexpr std::size_t kNonlinearHead = 2;  ///< Number, "CEN/" or "GRID".
 /// Grid (0: between the ends), place, four fibres, largest, smallest, margins.
 inline constexpr std::size_t kBeamStation = 10;
 

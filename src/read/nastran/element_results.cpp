@@ -21,6 +21,9 @@ Quantity quantity_of(RowShape shape) {
     case RowShape::BarEnds: return Quantity::BarEnds;
     case RowShape::BarPoints: return Quantity::BarPoints;
     case RowShape::BeamPoints: return Quantity::BeamPoints;
+    case RowShape::Ply: return Quantity::Ply;
+    case RowShape::NonlinearSolid: return Quantity::NonlinearSolid;
+    case RowShape::NonlinearShell: return Quantity::NonlinearShell;
     case RowShape::Bar: break;
     }
     return Quantity::Axial;
@@ -28,7 +31,7 @@ Quantity quantity_of(RowShape shape) {
 
 bool is_shell(Quantity quantity) {
     return quantity == Quantity::ShellCorner || quantity == Quantity::ShellCentre ||
-           quantity == Quantity::ShellComplex;
+           quantity == Quantity::ShellComplex || quantity == Quantity::NonlinearShell;
 }
 
 bool is_complex(Quantity quantity) {
@@ -63,6 +66,15 @@ void describe_columns(const ElementResult& result, ResultInfo& info) {
     case Quantity::BarPoints:
     case Quantity::BeamPoints: info.components = {"c", "d", "e", "f"}; break;
     case Quantity::ShellComplex: info.components = {"normal_x", "normal_y", "shear_xy"}; break;
+    case Quantity::Ply:
+        info.components = {"normal_1", "normal_2", "shear_12", "shear_1z", "shear_2z"};
+        info.components.emplace_back(equivalent_name(kind, "max_shear"));
+        info.components.insert(info.components.end(), {"major", "minor"});
+        break;
+    case Quantity::NonlinearSolid:
+    case Quantity::NonlinearShell:
+        info.components = {"equivalent_stress", "plastic_strain", "creep_strain"};
+        break;
     case Quantity::ShellCorner:
     case Quantity::ShellCentre:
         info.components = {equivalent_name(kind, "max_shear"), "major", "minor"};
@@ -74,7 +86,8 @@ void describe_columns(const ElementResult& result, ResultInfo& info) {
 
 bool is_by_element(Quantity quantity) {
     return quantity == Quantity::Axial || quantity == Quantity::AxialComplex ||
-           quantity == Quantity::ShellCentre || quantity == Quantity::ShellComplex;
+           quantity == Quantity::ShellCentre || quantity == Quantity::ShellComplex ||
+           quantity == Quantity::Ply || quantity == Quantity::NonlinearShell;
 }
 
 ResultInfo element_info(const ElementResult& result) {
@@ -97,6 +110,9 @@ ResultInfo element_info(const ElementResult& result) {
     if (quantity == Quantity::BarEnds || quantity == Quantity::BeamPoints) info.name = "bar_" + info.name;
     if (quantity == Quantity::BarPoints) info.name = "bar_bending_" + info.name;
     if (is_shell(quantity) && kind.curvature && result.fibre == 1) info.name = "curvature";
+    if (quantity == Quantity::Ply) info.name = fmt::format("ply_{}_{}", info.name, result.ply);
+    if (quantity == Quantity::NonlinearSolid || quantity == Quantity::NonlinearShell)
+        info.name = "nonlinear_state";
     return info;
 }
 
@@ -105,6 +121,7 @@ void ElementGroups::add(const Block& block, ElementBlockRef rows) {
         if (one == nullptr) continue;
         Group& group = groups_[{block.table, block.step, block.kind, one->shape}];
         group.polar = block.polar;
+        group.plies.insert(block.plies.begin(), block.plies.end());
         rows.layout = one;
         group.blocks.push_back(rows);
     }
@@ -131,8 +148,14 @@ std::vector<ElementResult> ElementGroups::finish() {
             group.polar,
             0,
             0,
+            0,
             std::get<std::string>(key),
             group.blocks};
+        for (const std::int64_t ply : group.plies) {
+            result.ply = ply;
+            results.push_back(result);
+        }
+        if (result.quantity == Quantity::Ply) continue;
         const int parts = is_complex(result.quantity) ? 2 : 1;
         const int fibres = is_shell(result.quantity) ? 2 : 1;
         for (result.fibre = 0; result.fibre < fibres; ++result.fibre) {

@@ -31,7 +31,10 @@ enum class Quantity : std::uint8_t {
     AxialComplex,
     BarEnds,
     BarPoints,
-    BeamPoints
+    BeamPoints,
+    Ply,
+    NonlinearSolid,
+    NonlinearShell
 };
 
 /// The rows of one node or element in a table that is sorted by them.
@@ -57,9 +60,10 @@ struct ElementResult {
     StepKey step;
     Quantity quantity = Quantity::SolidCorner;
     StressKind kind;
-    bool polar = false;  ///< Complex: amplitude and phase.
-    int part = 0;        ///< Complex: 0 the real part or amplitude, 1 the other.
-    int fibre = 0;       ///< Shells: 0 the lower one (middle), 1 the upper one (curvature).
+    bool polar = false;    ///< Complex: amplitude and phase.
+    int part = 0;          ///< Complex: 0 the real part or amplitude, 1 the other.
+    int fibre = 0;         ///< Shells: 0 the lower one (middle), 1 the upper one (curvature).
+    std::int64_t ply = 0;  ///< From 1 on; 0: not of plies.
     std::string table;
     std::vector<ElementBlockRef> blocks;
 };
@@ -78,6 +82,7 @@ public:
         StepKey step;
         StressKind kind;
         bool polar = false;
+        std::vector<std::int64_t> plies = {};  ///< That the rows have: a result each.
     };
     /// Bars that have ends become two results. The layout of `rows` is that of the first one.
     void add(const Block& block, ElementBlockRef rows);
@@ -89,6 +94,7 @@ public:
 private:
     struct Group {
         bool polar = false;
+        std::set<std::int64_t> plies;
         std::vector<ElementBlockRef> blocks;
     };
     std::map<std::tuple<std::string, StepKey, StressKind, RowShape>, Group> groups_;

@@ -17,6 +17,11 @@ constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 /// Words of xx yy zz xy yz zx after the point's grid: of one part, and of the other.
 constexpr std::array<std::array<std::size_t, 6>, 2> kComplexColumns{
     {{1, 2, 3, 4, 5, 6}, {7, 8, 9, 10, 11, 12}}};
+/// Words of a ply's row: stresses along and between fibres, the equivalent one, the principal ones.
+constexpr std::array<std::size_t, 8> kPlyColumns{2, 3, 4, 5, 6, 10, 8, 9};
+/// Words of the equivalent stress, plastic and creep strain after a point's grid, or a fibre's distance.
+constexpr std::array<std::size_t, 3> kSolidState{7, 8, 9};
+constexpr std::array<std::size_t, 3> kShellState{5, 6, 7};
 /// Points C, D, E and F of a bar's section.
 constexpr std::size_t kSectionPoints = 4;
 /// Words of the equivalent value and the larger and smaller principal one after the fibre's distance.
@@ -57,6 +62,16 @@ void ElementRowReader::read(std::int64_t id, const Words& row, const ElementLayo
     case RowShape::Solid: read_solid(row, layout, element); break;
     case RowShape::ShellCorner: read_shell(row, layout, element); break;
     case RowShape::ShellCentre: read_centre(row, element); break;
+    case RowShape::Ply:
+        if (row.integer(1) == result_.ply)
+            put(row, kPlyColumns, values_.values.data() + raw(element) * width());
+        break;
+    case RowShape::NonlinearSolid: read_nonlinear_solid(row, layout, element); break;
+    case RowShape::NonlinearShell:
+        put(fibre_of(row.part(1, 2 * layout.point_words)),
+            kShellState,
+            values_.values.data() + raw(element) * width());
+        break;
     case RowShape::ShellComplex: read_complex_shell(row, layout, element); break;
     case RowShape::BarEnds: read_ends(row, layout, element); break;
     case RowShape::BarPoints:
@@ -84,6 +99,7 @@ std::size_t ElementRowReader::width() const {
     case Quantity::BarEnds: return 2;
     case Quantity::BarPoints:
     case Quantity::BeamPoints: return kSectionPoints;
+    case Quantity::Ply: return kPlyColumns.size();
     default: return kShellColumns.size();
     }
 }
@@ -133,8 +149,9 @@ void ElementRowReader::read_solid(const Words& row, const ElementLayout& layout,
 
 /// The fibre with the smaller distance is the lower one, wherever it stands.
 Words ElementRowReader::fibre_of(const Words& fibres) const {
-    const Words first = fibres.part(0, kFibreWords);
-    const Words second = fibres.part(kFibreWords, kFibreWords);
+    const std::size_t words = fibres.count() / 2;
+    const Words first = fibres.part(0, words);
+    const Words second = fibres.part(words, words);
     const bool swapped = !result_.kind.curvature && second.real(0) < first.real(0);
     return (result_.fibre == 0) != swapped ? first : second;
 }
@@ -183,11 +200,7 @@ void ElementRowReader::read_complex_shell(
     const Words& row, const ElementLayout& layout, ElementIndex element
 ) {
     const std::size_t first = layout.corners == 0 ? 1 : kShellHead + 1;
-    const std::size_t width_of_fibre = layout.point_words;
-    Words fibre = row.part(first, width_of_fibre);
-    Words other = row.part(first + width_of_fibre, width_of_fibre);
-    const bool swapped = !result_.kind.curvature && other.real(0) < fibre.real(0);
-    if ((result_.fibre == 0) == swapped) fibre = other;
+    const Words fibre = fibre_of(row.part(first, 2 * layout.point_words));
     const std::size_t part = result_.part == 0 ? 1 : 2;
     put(fibre, std::array{part, part + 2, part + 4}, values_.values.data() + raw(element) * width());
 }
@@ -212,6 +225,17 @@ void ElementRowReader::read_points(const Words& row, const ElementLayout& layout
                 i == 0 ? columns(1 + part) : columns(11 + (part == 0 ? 0 : kSectionPoints)),
                 add_row(element, nodes[i]));
         }
+    }
+}
+
+void ElementRowReader::read_nonlinear_solid(
+    const Words& row, const ElementLayout& layout, ElementIndex element
+) {
+    for (std::size_t i = 1; i <= layout.corners; ++i) {
+        const Words point = row.part(kNonlinearHead + i * layout.point_words, layout.point_words);
+        if (point.integer(0) == 0) continue;
+        const NodeIndex node = corner(point.integer(0), element);
+        if (node != kNoNode) put(point, kSolidState, add_row(element, node));
     }
 }
 

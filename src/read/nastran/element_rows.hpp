@@ -56,6 +56,7 @@ private:
     void read_ends(const Words& row, const ElementLayout& layout, ElementIndex element);
     void read_complex_shell(const Words& row, const ElementLayout& layout, ElementIndex element);
     void read_points(const Words& row, const ElementLayout& layout, ElementIndex element);
+    void read_nonlinear_solid(const Words& row, const ElementLayout& layout, ElementIndex element);
     void sort_rows();
 
     const ElementResult& result_;

@@ -184,8 +184,20 @@ private:
         const Texts texts = read_texts(ident_words);
         if (contents_.title.empty()) contents_.title = texts.title;
         constexpr int kMagnitudeAndPhase = 3;
-        ElementGroups::Block block{table.name, {}, *stress_kind(ident), ident.format == kMagnitudeAndPhase};
+        ElementGroups::Block block{
+            table.name,
+            {},
+            block_kind(ident, table.name, layout_.version),
+            ident.format == kMagnitudeAndPhase};
         const ElementLayout* layout = element_layout(ident);
+        if (layout->shape == RowShape::Ply) {
+            const std::set<std::int64_t>& plies = plies_of(table.name, ident, record);
+            block.plies.assign(plies.begin(), plies.end());
+            if (plies.empty()) {
+                unused_.add(table.name, ident);
+                return;
+            }
+        }
         if (!ident.sort2) {
             block.step = step_of(ident);
             steps_.add(block.step, value_of(ident, block.step), texts);
@@ -210,6 +222,19 @@ private:
                 elements_.add(block, {layout, 0, group.records, row});
             }
         );
+    }
+
+    /// The plies of the first block of a type: those after it in its subcase have the same.
+    const std::set<std::int64_t>& plies_of(const std::string& table, const Ident& ident, std::size_t record) {
+        constexpr std::size_t kMostPlies = 1000;
+        const auto entry = plies_.try_emplace({table, ident.element_type, ident.subcase});
+        std::set<std::int64_t>& plies = entry.first->second;
+        if (!entry.second) return plies;
+        for_each_row(input_, layout_, record, ident.row_words, [&](const Words& row) {
+            const std::int64_t ply = row.integer(1);
+            if (ply > 0 && plies.size() < kMostPlies) plies.insert(ply);
+        });
+        return plies;
     }
 
     void list_element(const ElementResult& result) {
@@ -302,6 +327,7 @@ private:
         std::size_t longest = 0;
     };
     std::map<std::tuple<std::int32_t, int, const ElementLayout*, int>, ElementGroup> by_element_;
+    std::map<std::tuple<std::string, std::int64_t, std::int32_t>, std::set<std::int64_t>> plies_;
     ElementGroups elements_;
     UnusedBlocks unused_;
     ResultNames names_;

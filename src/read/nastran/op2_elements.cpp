@@ -32,21 +32,35 @@ void check_length(
 }  // namespace
 
 const ElementLayout* element_layout(const Ident& ident) {
-    const bool plain = ident.table_code == kStressCode && !ident.random;
-    if (!plain || !stress_kind(ident)) return nullptr;
-    return find_layout(ident.element_type, ident.row_words, ident.is_complex);
+    if (ident.table_code != kStressCode || ident.random || !stress_kind(ident)) return nullptr;
+    const ElementLayout* layout = find_layout(ident.element_type, ident.row_words, ident.is_complex);
+    const bool is_ply = layout != nullptr && layout->shape == RowShape::Ply;
+    // A step has several rows of an element's plies: not looked for where rows are steps.
+    if (is_ply && ident.sort2) return nullptr;
+    constexpr int kPlyVonMises = 5;
+    return ident.stress_bits == kPlyVonMises && !is_ply ? nullptr : layout;
 }
 
 std::optional<StressKind> stress_kind(const Ident& ident) {
     switch (ident.stress_bits) {
     case 0: return StressKind{};
-    case 1: return StressKind{false, true, false};
+    case 1:
+    case 5: return StressKind{false, true, false};
     case 10: return StressKind{true, false, true};
     case 11: return StressKind{true, true, true};
     case 14: return StressKind{true, false, false};
     case 15: return StressKind{true, true, false};
     default: return {};
     }
+}
+
+StressKind block_kind(const Ident& ident, const std::string& table, const std::string& version) {
+    StressKind kind = stress_kind(ident).value_or(StressKind{});
+    if (ident.stress_bits == 0 && version.starts_with("OS")) {
+        kind.strain = table.starts_with("OSTR");
+        kind.von_mises = true;
+    }
+    return kind;
 }
 
 ElementValues read_elements(

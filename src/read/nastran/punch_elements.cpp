@@ -78,7 +78,11 @@ const op2::ElementLayout* punched_layout(
     std::size_t lines = 1;
     for (punch_line(text, at, last); goes_on(text, at, last); punch_line(text, at, last)) ++lines;
     for (std::size_t words = kLineWords * (lines - 1) + 2; words <= kLineWords * lines + 1; ++words) {
-        if (const op2::ElementLayout* layout = op2::find_layout(type, words, false)) return layout;
+        const op2::ElementLayout* layout = op2::find_layout(type, words, false);
+        const bool is_used = layout != nullptr && layout->shape != op2::RowShape::Ply &&
+                             layout->shape != op2::RowShape::NonlinearSolid &&
+                             layout->shape != op2::RowShape::NonlinearShell;
+        if (is_used) return layout;
     }
     return nullptr;
 }
