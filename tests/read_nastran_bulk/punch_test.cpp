@@ -296,11 +296,14 @@ TEST(NastranPunch, the_example_gives_the_same_as_its_print_file) {
     const auto printed = open_model(std::vector<std::string>{base + ".bdf", base + ".f06"}, {}, diagnostics);
     EXPECT_EQ(punched->inputs().size(), 3U) << "with the included file";
     EXPECT_EQ(punched->mesh().parts[0].name, "Pipe wall (PSOLID 7)");
-    ASSERT_EQ(punched->results().size(), 4U);
-    ASSERT_EQ(printed->results().size(), 4U);
-    for (std::size_t i = 0; i < 4; ++i) {
+    ASSERT_EQ(punched->results().size(), 5U);
+    ASSERT_EQ(printed->results().size(), 5U);
+    for (std::size_t i = 0; i < 5; ++i) {
         const Result a = punched->load(i), b = printed->load(i);
         EXPECT_EQ(a.info.name, b.info.name);
+        EXPECT_EQ(a.info.components, b.info.components);
+        EXPECT_EQ(a.row_owner, b.row_owner);
+        EXPECT_EQ(a.row_node, b.row_node);
         ASSERT_EQ(a.values.size(), b.values.size());
         for (std::size_t k = 0; k < a.values.size(); ++k) {
             if (std::isnan(a.values[k]) && std::isnan(b.values[k])) continue;
@@ -313,6 +316,17 @@ TEST(NastranPunch, the_example_gives_the_same_as_its_print_file) {
     EXPECT_NEAR(punched->mesh().coordinates[row][1], 100, 1e-12);
     EXPECT_NEAR(moved.values[row * 3], 0, 1e-9);
     EXPECT_FLOAT_EQ(moved.values[row * 3 + 1], 1.234567e-3F);
+    // The hoop stress of a thick pipe is largest at its inner face, the radial one is the pressure there.
+    const Result stress = to_cylindrical(punched->mesh(), punched->load(4), CylindricalSystem{});
+    const auto radial = static_cast<std::size_t>(component_index(stress.info, "radial"));
+    const auto hoop = static_cast<std::size_t>(component_index(stress.info, "hoop"));
+    ASSERT_EQ(stress.row_count(), 16U);
+    for (std::size_t i = 0; i < stress.row_count(); ++i) {
+        const bool is_inner = raw(punched->mesh().node_ids[raw(stress.row_node[i])]) % 2 != 0;
+        const float* values = &stress.values[i * stress.component_count()];
+        EXPECT_NEAR(values[radial], is_inner ? -5 : 0, 1e-4);
+        EXPECT_NEAR(values[hoop], is_inner ? 27.72727 : 22.72727, 1e-4);
+    }
 }
 
 }  // namespace
