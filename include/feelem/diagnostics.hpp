@@ -61,6 +61,7 @@ enum class Code : std::uint16_t {
     LargeRounding,
     IdsOffset,
     SourcesDisagree,
+    ValuesDisagree,
     InputLeftOut,
 };
 

@@ -190,6 +190,11 @@ constexpr std::array kTable{
         Severity::Warning,
         "Two inputs of one model differ in some nodes, places or elements; one mesh is shown."},
     CodeInfo{
+        Code::ValuesDisagree,
+        "values_disagree",
+        Severity::Warning,
+        "A table's own extremes are not those of its values."},
+    CodeInfo{
         Code::InputLeftOut,
         "input_left_out",
         Severity::Warning,

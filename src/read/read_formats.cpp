@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of readers: a new one is a folder beside this file and one line here.
+#include "read/abaqus/abaqus_dat.hpp"
 #include "read/abaqus/abaqus_deck.hpp"
 #include "read/abaqus/abaqus_fil.hpp"
 #include "read/ansys/ansys_cdb.hpp"
@@ -30,6 +31,7 @@ std::span<const ReadFormat> read_format_list() {
         unv_format(),
         abaqus_deck_format(),
         abaqus_fil_format(),
+        abaqus_dat_format(),
         ansys_lists_format(),
         nastran_bulk_format(),
         nastran_op2_format(),

@@ -49,4 +49,9 @@ const Variable* find_variable(std::int64_t key) {
     return found == kVariables.end() ? nullptr : found;
 }
 
+const Variable* find_variable(std::string_view solver) {
+    const auto* found = std::ranges::find(kVariables, solver, &Variable::solver);
+    return found == kVariables.end() ? nullptr : found;
+}
+
 }  // namespace feelem::fil

@@ -24,5 +24,7 @@ struct Variable {
 };
 /// Null: a key without values of nodes or elements, or one that is not read.
 const Variable* find_variable(std::int64_t key);
+/// By Abaqus' name: "S".
+const Variable* find_variable(std::string_view solver);
 
 }  // namespace feelem::fil

@@ -220,7 +220,9 @@ bool starts_like_tables(std::string_view head) {
     while (const auto line = lines.next()) {
         const std::string_view text = trim(*line);
         if (text.empty()) continue;
-        return text.starts_with("S T E P ") || text.starts_with("E I G E N V A L U E ") ||
+        // Abaqus' own tables say more behind the number: "S T E P  1  S T A T I C".
+        const bool step = number_behind(text, "S T E P ") && parse_integer(trim(text.substr(8)));
+        return step || text.starts_with("E I G E N V A L U E ") ||
                (text.find(kSet) != std::string_view::npos && text.find(kTime) != std::string_view::npos);
     }
     return false;
