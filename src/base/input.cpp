@@ -107,4 +107,12 @@ void Input::release(std::size_t first, std::size_t last) const noexcept {
     if (first < last) madvise(static_cast<char*>(storage_->map) + first, last - first, MADV_DONTNEED);
 }
 
+void Input::expect_jumps() const noexcept {
+    if (storage_->map != nullptr) madvise(storage_->map, storage_->map_size, MADV_RANDOM);
+}
+
+void Input::expect_run() const noexcept {
+    if (storage_->map != nullptr) madvise(storage_->map, storage_->map_size, MADV_SEQUENTIAL);
+}
+
 }  // namespace feelem

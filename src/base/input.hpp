@@ -30,6 +30,11 @@ public:
     /// used memory. The bytes stay readable: they are fetched again when touched.
     void release(std::size_t first, std::size_t last) const noexcept;
 
+    /// How a mapped file will be touched from now on: here and there, so that nothing is read ahead, or one
+    /// byte after the other, as it is assumed at first. Changes no result.
+    void expect_jumps() const noexcept;
+    void expect_run() const noexcept;
+
 private:
     struct Storage;
     explicit Input(std::shared_ptr<const Storage> storage) : storage_(std::move(storage)) {}

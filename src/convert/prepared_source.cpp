@@ -2,6 +2,7 @@
 #include "convert/prepared_source.hpp"
 
 #include "base/number.hpp"
+#include "convert/joined_rows.hpp"
 #include "convert/model_values.hpp"
 
 #include "feelem/error.hpp"
@@ -262,11 +263,15 @@ Result PreparedSource::load_envelope(std::size_t index) {
             extreme.row_node = std::move(one.row_node);
             extreme.values.assign(one.values.size(), std::numeric_limits<float>::quiet_NaN());
         } else if (one.row_owner != extreme.row_owner || one.row_node != extreme.row_node) {
-            throw Error(
-                Code::BadStructure,
-                "--envelope",
-                fmt::format("{} has values at other places from step to step", infos_[index].solver_name)
-            );
+            // Elements come and go, or have results at some steps only.
+            const std::size_t width = one.component_count();
+            extreme.info = one.info;
+            JoinedRows joined = join_rows(extreme, one);
+            extreme.values = spread_rows(extreme.values, joined.from_a, width);
+            at_step = spread_rows(at_step, joined.from_a, width);
+            one.values = spread_rows(one.values, joined.from_b, width);
+            extreme.row_owner = std::move(joined.owner);
+            extreme.row_node = std::move(joined.node);
         }
         for (std::size_t i = 0; i < std::min(one.values.size(), extreme.values.size()); ++i) {
             const float value = one.values[i];

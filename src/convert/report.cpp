@@ -114,7 +114,11 @@ void describe_results(
 
 }  // namespace
 
-std::optional<ModelReport> report_model(const Job& job, Diagnostics& diagnostics, const Progress& progress) {
+std::optional<ModelReport> report_model(
+    const Job& given, Diagnostics& diagnostics, const Progress& progress
+) {
+    Job job = given;
+    job.read.hash_inputs = !job.brief;
     try {
         const std::unique_ptr<ModelSource> source = open_job(job, diagnostics, progress);
         if (!source) return std::nullopt;

@@ -244,9 +244,9 @@ std::string info_json(const ModelReport& report, const Diagnostics& diagnostics)
         json["reactions"].push_back(reaction_json(report, reaction));
     }
     for (const InputRecord& input : report.inputs) {
-        json["inputs"].push_back(
-            {{"path", input.path}, {"format", input.format}, {"bytes", input.bytes}, {"sha256", input.sha256}}
-        );
+        Json entry{{"path", input.path}, {"format", input.format}, {"bytes", input.bytes}};
+        entry["sha256"] = input.sha256.empty() ? Json() : Json(input.sha256);
+        json["inputs"].push_back(std::move(entry));
     }
     for (const Step& step : report.steps) json["steps"].push_back(step_json(step));
     for (const ResultReport& result : report.results) json["results"].push_back(result_json(report, result));

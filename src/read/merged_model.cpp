@@ -2,6 +2,7 @@
 #include "read/merged_model.hpp"
 
 #include "base/sha256.hpp"
+#include "read/adopt_sets.hpp"
 #include "read/choose_mesh.hpp"
 #include "read/remap_result.hpp"
 
@@ -36,13 +37,15 @@ public:
         std::vector<std::unique_ptr<ModelSource>> kept_alive,
         std::vector<UsedInput> inputs,
         MeshChoice choice,
-        Diagnostics& diagnostics
+        Diagnostics& diagnostics,
+        bool hash_inputs
     )
         : kept_alive_(std::move(kept_alive)), sources_(std::move(sources)), inputs_(std::move(inputs)),
-          choice_(std::move(choice)), diagnostics_(diagnostics) {
+          choice_(std::move(choice)), diagnostics_(diagnostics), hash_inputs_(hash_inputs) {
         assert(!sources_.empty());
         adopt_unit();
         adopt_angles();
+        adopt_all_sets();
         for (const OpenedSource& opened : sources_) append(opened);
         reported_.resize(results_.size());
     }
@@ -79,7 +82,11 @@ public:
     std::span<const InputRecord> inputs() const override {
         std::call_once(hashed_, [this] {
             for (const UsedInput& used : inputs_) {
-                records_.push_back({used.input.name(), used.format, used.input.size(), sha256_hex(used.input)}
+                records_.push_back(
+                    {used.input.name(),
+                     used.format,
+                     used.input.size(),
+                     hash_inputs_ ? sha256_hex(used.input) : std::string()}
                 );
             }
         });
@@ -134,6 +141,15 @@ private:
         }
     }
 
+    void adopt_all_sets() {
+        for (std::size_t i = 0; i < sources_.size(); ++i) {
+            const Mesh& other = sources_[i].source->mesh();
+            if (&other == &mesh()) continue;
+            const MeshMap* map = choice_.maps[i] ? &*choice_.maps[i] : nullptr;
+            adopt_sets(other, map, name_of(i), shown_mesh(), diagnostics_);
+        }
+    }
+
     /// Values in a nodal system that the mesh shown turns in another way cannot be told in the global one.
     void drop_turned_otherwise(std::size_t source, const MeshMap& map, Result& result) const {
         if (!result.info.nodal_system) return;
@@ -183,6 +199,7 @@ private:
     std::vector<UsedInput> inputs_;
     MeshChoice choice_;
     Diagnostics& diagnostics_;
+    bool hash_inputs_;
     std::vector<bool> reported_;
     std::vector<Step> steps_;
     std::vector<ResultInfo> results_;
@@ -196,6 +213,8 @@ private:
 const Mesh* own_or_shared(Mesh& own, const Mesh* shared) {
     if (shared != nullptr && own.node_count() == 0) return shared;
     if (shared == nullptr || !is_same_mesh(*shared, own) || !is_same_division(*shared, own)) return &own;
+    // The other source's mesh is as young as this one, and no constant: nobody has seen it yet.
+    if (!share_sets(own, const_cast<Mesh&>(*shared))) return &own;
     own = {};
     return shared;
 }
@@ -217,13 +236,19 @@ std::unique_ptr<ModelSource> merge_sources(
     std::vector<OpenedSource> sources,
     std::vector<std::unique_ptr<ModelSource>> kept_alive,
     std::vector<UsedInput> inputs,
-    Diagnostics& diagnostics
+    Diagnostics& diagnostics,
+    bool hash_inputs
 ) {
     std::vector<std::string> names;
     for (const OpenedSource& opened : sources) names.push_back(inputs[opened.inputs.front()].input.name());
     MeshChoice choice = choose_mesh(sources, names, diagnostics);
     return std::make_unique<MergedModel>(
-        std::move(sources), std::move(kept_alive), std::move(inputs), std::move(choice), diagnostics
+        std::move(sources),
+        std::move(kept_alive),
+        std::move(inputs),
+        std::move(choice),
+        diagnostics,
+        hash_inputs
     );
 }
 

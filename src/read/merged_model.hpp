@@ -15,7 +15,8 @@
 namespace feelem {
 
 /// For readers: a mesh that another source has already, in every node, place, element and part, is not held
-/// twice. `own` is emptied then and `shared` returned, also when `own` has no nodes; else `own` stays.
+/// twice. `own` is emptied then and `shared` returned, with the sets of both, also when `own` has no nodes;
+/// else, and when sets of one name differ, `own` stays.
 const Mesh* own_or_shared(Mesh& own, const Mesh* shared);
 
 /// A source and which of the model's inputs it was made of.
@@ -40,12 +41,13 @@ const Mesh* mesh_for_next(std::span<const OpenedSource> sources);
 
 /// One mesh is shown (choose_mesh.hpp), results of the others go to it by id. `kept_alive`: their meshes
 /// may be looked at by the others, nothing more. `diagnostics` must outlive the model. At least one source.
-/// Throws Error(MeshesDiffer).
+/// `hash_inputs`: as ReadOptions says. Throws Error(MeshesDiffer).
 std::unique_ptr<ModelSource> merge_sources(
     std::vector<OpenedSource> sources,
     std::vector<std::unique_ptr<ModelSource>> kept_alive,
     std::vector<UsedInput> inputs,
-    Diagnostics& diagnostics
+    Diagnostics& diagnostics,
+    bool hash_inputs = true
 );
 
 }  // namespace feelem

@@ -88,6 +88,21 @@ bool same_nodes(const ElementRef& other, const ElementRef& shown, std::span<cons
     });
 }
 
+/// The middle of an element's box, and its longest diagonal.
+std::pair<Point3, double> extent_of(const Mesh& mesh, const ElementRef& element) {
+    const auto corners = element.nodes().first(element_row(element.block->type).corner_count);
+    Point3 low = mesh.coordinates[raw(corners.front())], high = low, middle{};
+    for (const NodeIndex corner : corners) {
+        const Point3& place = mesh.coordinates[raw(corner)];
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], place[i]);
+            high[i] = std::max(high[i], place[i]);
+        }
+    }
+    for (std::size_t i = 0; i < 3; ++i) middle[i] = (low[i] + high[i]) / 2;
+    return {middle, distance_between(low, high)};
+}
+
 class ElementPairs {
 public:
     ElementPairs(const Mesh& other, const Mesh& shown, MeshMap& map)
@@ -134,11 +149,18 @@ private:
             const ElementRow& one = element_row(mine.block->type);
             const ElementRow& two = element_row(its.block->type);
             if (map_.types.empty()) map_.types = fmt::format("{}, {} in the mesh shown", one.name, two.name);
-            if ((one.dimension == 3) != (two.dimension == 3)) ++map_.thickened;
+            if ((one.dimension == 3) != (two.dimension == 3) && stand_together(mine, its)) ++map_.thickened;
             map_.elements_of_other_type.add(raw(mine.id()));
         } else if (!same_nodes(mine, its, map_.nodes)) {
             map_.elements_on_other_nodes.add(raw(mine.id()));
         }
+    }
+
+    /// A solid made of a shell or a beam stands round it: their centres are nearer than the larger is long.
+    bool stand_together(const ElementRef& mine, const ElementRef& its) const {
+        const auto [middle, size] = extent_of(other_, mine);
+        const auto [its_middle, its_size] = extent_of(shown_, its);
+        return distance_between(middle, its_middle) <= std::max(size, its_size);
     }
 
     const Mesh& other_;

@@ -270,7 +270,9 @@ std::unique_ptr<ModelSource> open_inputs(
             left_out.push_back(input);
     }
     tell_left_out(left_out, diagnostics);
-    return merge_sources(std::move(sources), opener.take_included(), std::move(sorted.used), diagnostics);
+    return merge_sources(
+        std::move(sources), opener.take_included(), std::move(sorted.used), diagnostics, options.hash_inputs
+    );
 }
 
 }  // namespace

@@ -75,6 +75,68 @@ TEST(Envelope, is_the_extreme_of_each_node_and_says_at_which_step) {
     EXPECT_EQ(step.label, "maximum over 3 steps");
 }
 
+/// Stresses of elements, each step with rows of its own.
+class ElementSteps : public MadeUpSource {
+public:
+    std::vector<Result> made;
+
+    void add_rows(
+        std::vector<std::uint32_t> owners, std::vector<std::uint32_t> nodes, std::vector<float> values
+    ) {
+        add_step(0, 1, static_cast<int>(made.size()) + 1);
+        ResultInfo& info = add_result("stress", {"value"}, Shape::Scalar);
+        info.location = Location::ElementNodal;
+        info.averaging = Averaging::None;
+        Result result{info, std::move(values), std::move(owners), {}};
+        for (const std::uint32_t node : nodes) result.row_node.push_back(NodeIndex{node});
+        made.push_back(std::move(result));
+    }
+    Result load(std::size_t index) override { return made[index]; }
+};
+
+Result load_named(PreparedSource& source, const std::string& name) {
+    for (std::size_t i = 0; i < source.results().size(); ++i) {
+        if (source.results()[i].name == name) return source.load(i);
+    }
+    ADD_FAILURE() << "no result " << name;
+    return {};
+}
+
+TEST(Envelope, elements_that_have_values_at_some_steps_have_the_extreme_of_these) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    ElementSteps source;
+    source.add_rows({0, 0, 1, 1}, {2, 0, 1, 3}, {5, 1, 2, 3});
+    source.add_rows({1, 1, 2}, {3, 1, 0}, {7, 1, 9});
+    source.add_rows({0, 0, 1, 1, 2}, {0, 2, 1, 3, 0}, {4, 4, nan, 8, 6});
+    Preparing preparing;
+    preparing.envelopes = parse_envelopes("max");
+    preparing.averages = {Averaging::None};
+
+    PreparedSource shown(source, all_of(source), preparing);
+    const Result max = load_named(shown, "stress_max"), at = load_named(shown, "stress_max_step");
+
+    EXPECT_THAT(max.row_owner, ElementsAre(0, 0, 1, 1, 2));
+    EXPECT_THAT(
+        max.row_node, ElementsAre(NodeIndex{0}, NodeIndex{2}, NodeIndex{1}, NodeIndex{3}, NodeIndex{0})
+    );
+    EXPECT_THAT(max.values, ElementsAre(4, 5, 2, 8, 9));
+    EXPECT_EQ(at.row_owner, max.row_owner);
+    EXPECT_THAT(at.values, ElementsAre(3, 1, 1, 3, 2));
+}
+
+TEST(Envelope, the_second_row_of_a_node_in_an_element_stays_the_second) {
+    ElementSteps source;
+    source.add_rows({0, 0}, {1, 1}, {1, 20});
+    source.add_rows({0, 0, 1}, {1, 1, 1}, {2, 10, 5});
+    Preparing preparing;
+    preparing.envelopes = parse_envelopes("max");
+    preparing.averages = {Averaging::None};
+
+    PreparedSource shown(source, all_of(source), preparing);
+
+    EXPECT_THAT(load_named(shown, "stress_max").values, ElementsAre(2, 20, 5));
+}
+
 TEST(Envelope, modes_have_none_and_one_step_is_too_few) {
     Steps source;
     source.add_values({1});

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -130,6 +131,98 @@ TEST(CylindricalSystem, an_elements_value_stands_at_the_mean_of_its_corners) {
 
     EXPECT_NEAR(turned.values[0], 0, 1e-6);
     EXPECT_NEAR(turned.values[1], -7, 1e-6);
+}
+
+TEST(CylindricalSystem, on_the_axis_a_tensor_has_its_axial_component_alone) {
+    Mesh mesh;
+    mesh.node_ids = {NodeId{1}, NodeId{2}, NodeId{3}};
+    // On the axis far from its origin but for rounding; at the origin itself; and away from the axis.
+    mesh.coordinates = {{1e-12, 0, 5000}, {0, 0, 0}, {2, 0, 5000}};
+    Result result = global_stress(mesh);
+    result.values.clear();
+    for (int node = 0; node < 3; ++node) result.values.insert(result.values.end(), {1, 2, 3, 4, 5, 6});
+
+    const Result turned = to_cylindrical(mesh, result, {{0, 0, 0}, {0, 0, 1}});
+
+    for (const std::size_t node : {0U, 1U}) {
+        for (std::size_t c = 0; c < 6; ++c) {
+            const float value = turned.values[node * 6 + c];
+            if (c == 2)
+                EXPECT_EQ(value, 3) << "node " << node;
+            else
+                EXPECT_TRUE(std::isnan(value)) << "node " << node << ", component " << c;
+        }
+    }
+    EXPECT_THAT(
+        std::vector<float>(turned.values.begin() + 12, turned.values.end()), ElementsAre(1, 2, 3, 4, 5, 6)
+    );
+}
+
+TEST(CylindricalSystem, an_element_whose_centre_is_on_the_axis_has_its_axial_component_alone) {
+    const Mesh mesh = test::brick_grid(1, 1, 1);
+    Result result;
+    result.info.components = {"x", "y", "z"};
+    result.info.shape = Shape::Vector;
+    result.info.location = Location::Elemental;
+    result.values = {7, 8, 9};
+
+    const Result turned = to_cylindrical(mesh, result, {{0.5, 0.5, 0}, {0, 0, 1}});
+
+    EXPECT_TRUE(std::isnan(turned.values[0]));
+    EXPECT_TRUE(std::isnan(turned.values[1]));
+    EXPECT_EQ(turned.values[2], 9);
+}
+
+TEST(CylindricalSystem, a_missing_component_spoils_only_what_it_takes_part_in) {
+    Mesh mesh;
+    mesh.node_ids = {NodeId{1}};
+    mesh.coordinates = {{0, 3, 0}};  // r = y, theta = -x.
+    Result result = global_stress(mesh);
+    result.values = {std::numeric_limits<float>::quiet_NaN(), 2, 3, 4, 5, 6};
+
+    const Result turned = to_cylindrical(mesh, result, {{0, 0, 0}, {0, 0, 1}});
+
+    EXPECT_EQ(turned.values[2], 3) << "axial stress needs no xx";
+    EXPECT_TRUE(std::isnan(turned.values[1])) << "hoop stress is xx here";
+}
+
+TEST(CylindricalSystem, an_axis_the_other_way_turns_hoop_and_axial_round) {
+    Mesh mesh;
+    mesh.node_ids = {NodeId{1}};
+    mesh.coordinates = {{2, 0, 0}};
+    Result result;
+    result.info.components = {"x", "y", "z"};
+    result.info.shape = Shape::Vector;
+    result.values = {1, 2, 3};
+    EXPECT_THAT(to_cylindrical(mesh, result, {{0, 0, 0}, {0, 0, 1}}).values, ElementsAre(1, 2, 3));
+    EXPECT_THAT(to_cylindrical(mesh, result, {{0, 0, 9}, {0, 0, -4}}).values, ElementsAre(1, -2, -3));
+}
+
+TEST(CylindricalSystem, a_node_of_two_parts_is_turned_once_a_part_and_layers_stay) {
+    const Mesh mesh = test::tiny_mesh(
+        {{0, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {-1, 1, 0}, {-1, 2, 0}},
+        {{ElementType::Quad4, {1, 2, 3, 4}, "a"}, {ElementType::Quad4, {5, 1, 4, 6}, "b"}}
+    );
+    Result result;
+    result.info.components = {"x", "y", "z"};
+    result.info.shape = Shape::Vector;
+    result.info.location = Location::ElementNodal;
+    result.info.averaging = Averaging::None;
+    result.info.layer = Layer::Bottom;
+    result.row_owner = {0, 0, 1};
+    result.row_node = {NodeIndex{0}, NodeIndex{1}, NodeIndex{0}};
+    result.values = {1, 2, 3, 0, 0, 0, 10, 20, 30};
+
+    const Result parts = average(mesh, result, Averaging::Part);
+    const Result turned = to_cylindrical(mesh, parts, {{0, 0, 0}, {0, 0, 1}});
+
+    EXPECT_EQ(turned.info.layer, Layer::Bottom);
+    EXPECT_EQ(turned.info.location, Location::PartNodal);
+    EXPECT_THAT(turned.row_owner, ElementsAre(0, 0, 1));
+    EXPECT_EQ(turned.row_node, parts.row_node);
+    // Node 1 is straight above: r = y, theta = -x.
+    EXPECT_THAT(std::vector<float>(turned.values.begin(), turned.values.begin() + 3), ElementsAre(2, -1, 3));
+    EXPECT_THAT(std::vector<float>(turned.values.begin() + 6, turned.values.end()), ElementsAre(20, -10, 30));
 }
 
 TEST(CylindricalSystem, takes_whole_vectors_and_tensors_but_no_amplitudes) {

@@ -193,6 +193,96 @@ TEST(Average, leaves_averaged_results_alone) {
     EXPECT_EQ(average(two_parts(), unaveraged(), Averaging::None).info.location, Location::ElementNodal);
 }
 
+/// Six components (and more) at the nodes that two_parts()'s elements share.
+Result unaveraged_tensor(std::vector<std::string> components, std::vector<float> values) {
+    Result result = unaveraged();
+    result.info.components = std::move(components);
+    result.info.shape = Shape::SymmetricTensor;
+    result.row_owner = {0, 1};
+    result.row_node = {NodeIndex{1}, NodeIndex{1}};
+    result.values = std::move(values);
+    return result;
+}
+
+TEST(Average, invariants_are_those_of_the_mean_not_means_of_invariants) {
+    // Pull in one element, push in its neighbour: the file says 100 in both, the mean is free of stress.
+    const Result result = unaveraged_tensor(
+        {"xx", "yy", "zz", "xy", "yz", "zx", "von_mises", "temperature"},
+        {100, 0, 0, 0, 0, 0, 100, 20, -100, 0, 0, 0, 0, 0, 100, 40}
+    );
+    EXPECT_EQ(component_of(result, "von_mises").values[1], 100) << "of elements the file's own";
+
+    const Result all = average(two_parts(), result, Averaging::All);
+
+    EXPECT_THAT(all.info.components, ElementsAre("xx", "yy", "zz", "xy", "yz", "zx", "temperature"));
+    EXPECT_EQ(component_of(all, "von_mises").values[1], 0);
+    EXPECT_EQ(component_of(all, "temperature").values[1], 30);
+    EXPECT_EQ(averaged_info(result.info, Averaging::All).components, all.info.components);
+    const Result parts = average(two_parts(), result, Averaging::Part);
+    EXPECT_EQ(component_of(parts, "von_mises").values[0], 100) << "alone in its part";
+}
+
+TEST(Average, a_missing_component_does_not_take_the_others_with_it) {
+    const Result result =
+        unaveraged_tensor({"xx", "yy", "zz", "xy", "yz", "zx"}, {1, 2, 3, 4, 5, 6, 3, kNan, 5, 6, 7, kNan});
+
+    const Result all = average(two_parts(), result, Averaging::All);
+
+    EXPECT_THAT(
+        std::vector<float>(all.values.begin() + 6, all.values.begin() + 12), ElementsAre(2, 2, 4, 5, 6, 6)
+    );
+}
+
+TEST(Average, nodes_of_elements_without_values_have_none_and_no_row_in_their_part) {
+    Result result = unaveraged();
+    result.row_owner = {0};
+    result.row_node = {NodeIndex{1}};
+    result.values = {10};
+
+    const Result parts = average(two_parts(), result, Averaging::Part);
+    EXPECT_THAT(parts.row_owner, ElementsAre(0)) << "part b shares node 2, and has no value there";
+    EXPECT_THAT(parts.values, ElementsAre(10));
+    const Result all = average(two_parts(), result, Averaging::All);
+    for (std::size_t node = 0; node < 6; ++node) EXPECT_EQ(std::isnan(all.values[node]), node != 1) << node;
+}
+
+TEST(Average, one_element_alone_keeps_its_value_bit_for_bit) {
+    Result result = unaveraged();
+    result.values = {0.1F, 1e-38F, 3.4e38F, -0.3F, 3.4e38F};
+
+    const Result parts = average(two_parts(), result, Averaging::Part);
+
+    EXPECT_EQ(parts.values[0], 0.1F);
+    EXPECT_EQ(parts.values[1], 1e-38F);
+    EXPECT_EQ(parts.values[2], 3.4e38F) << "two of the largest do not overflow";
+    EXPECT_EQ(parts.values[3], -0.3F);
+}
+
+TEST(Average, a_layer_stays_a_layer) {
+    Result top = unaveraged();
+    top.info.layer = Layer::Top;
+    top.info.corner_only = true;
+    top.info.unit = "MPa";
+    for (const Averaging averaging : {Averaging::Part, Averaging::All}) {
+        const Result mean = average(two_parts(), top, averaging);
+        EXPECT_EQ(mean.info.layer, Layer::Top);
+        EXPECT_TRUE(mean.info.corner_only);
+        EXPECT_EQ(mean.info.unit, "MPa");
+    }
+}
+
+TEST(Average, results_along_the_axes_of_each_element_are_left_alone) {
+    Result force = unaveraged();
+    force.info.averaging = Averaging::NotApplicable;
+
+    for (const Averaging averaging : {Averaging::Part, Averaging::All}) {
+        const Result same = average(two_parts(), force, averaging);
+        EXPECT_EQ(same.info.location, Location::ElementNodal);
+        EXPECT_EQ(same.row_owner, force.row_owner);
+        EXPECT_EQ(averaged_info(force.info, averaging).location, Location::ElementNodal);
+    }
+}
+
 TEST(NodalSystem, one_angle_turns_about_its_axis) {
     Mesh mesh = test::tiny_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{ElementType::Tri3, {1, 2, 3}}});
     mesh.node_angles = {{90, 0, 0}, {0, 90, 0}, {0, 0, 90}};

@@ -246,6 +246,68 @@ TEST(OneDoor, values_alone_find_their_nodes_in_the_mesh_that_is_shown) {
     EXPECT_EQ(opened->temperature(0, 3), 33);
 }
 
+/// The strip as a deck, with sets.
+std::string deck_of_strip(int last, const std::string& sets) {
+    std::string text = "*NODE, NSET=ALL\n";
+    for (int n = 1; n <= 2 * last + 2; ++n)
+        text += fmt::format("{}, {}., {}., 0.\n", n, (n - 1) / 2, (n - 1) % 2);
+    text += "*ELEMENT, TYPE=S4, ELSET=SKIN\n";
+    for (int n = 1; n <= last; ++n)
+        text += fmt::format("{}, {}, {}, {}, {}\n", n, 2 * n - 1, 2 * n + 1, 2 * n + 2, 2 * n);
+    return text + sets;
+}
+
+std::vector<std::int64_t> members_of(const Mesh& mesh, std::string_view set) {
+    std::vector<std::int64_t> ids;
+    for (const ElementSet& one : mesh.element_sets) {
+        if (one.name != set) continue;
+        for (const ElementIndex element : one.elements) ids.push_back(raw(element_at(mesh, element).id()));
+    }
+    return ids;
+}
+
+TEST(OneDoor, sets_of_a_deck_are_carried_over_to_the_mesh_of_the_results) {
+    const auto opened = open(
+        {{"model.inp", deck_of_strip(3, "*ELSET, ELSET=ENDS\n1, 3\n")}, {"run.frd", Strip{1, 3, 10}.text()}}
+    );
+
+    EXPECT_EQ(opened->temperature(1, 8), 80) << "those of the .frd";
+    EXPECT_THAT(members_of(opened->model->mesh(), "ENDS"), ElementsAre(1, 3));
+    EXPECT_THAT(members_of(opened->model->mesh(), "SKIN"), ElementsAre(1, 2, 3));
+    EXPECT_THAT(opened->disagreements(), IsEmpty());
+}
+
+TEST(OneDoor, members_of_sets_that_the_mesh_shown_does_not_have_are_counted) {
+    const auto opened = open(
+        {{"model.inp", deck_of_strip(3, "*ELSET, ELSET=ENDS\n1, 3\n*ELSET, ELSET=FAR\n3\n")},
+         {"part.frd", Strip{1, 2, 10}.text()}}
+    );
+
+    EXPECT_THAT(members_of(opened->model->mesh(), "ENDS"), ElementsAre(1));
+    EXPECT_THAT(members_of(opened->model->mesh(), "FAR"), IsEmpty());
+    EXPECT_THAT(
+        opened->disagreements(),
+        testing::Contains(
+            "model.inp: sets lose 3 of 6 elements, which are not in the mesh shown: SKIN, ENDS, FAR (3)"
+        )
+    );
+}
+
+TEST(OneDoor, sets_of_one_name_with_other_members_are_told_and_the_first_stays) {
+    const auto opened = open(
+        {{"a.inp", deck_of_strip(3, "*ELSET, ELSET=ENDS\n1, 3\n")},
+         {"b.inp", deck_of_strip(3, "*ELSET, ELSET=ENDS\n1, 2\n*ELSET, ELSET=MORE\n2\n")}}
+    );
+
+    EXPECT_THAT(members_of(opened->model->mesh(), "ENDS"), ElementsAre(1, 3));
+    EXPECT_THAT(members_of(opened->model->mesh(), "MORE"), ElementsAre(2));
+    EXPECT_THAT(
+        opened->disagreements(),
+        ElementsAre("b.inp: sets hold other elements than those of the same name in the mesh shown, which "
+                    "stay: ENDS (1)")
+    );
+}
+
 TEST(OneDoor, a_folder_leaves_out_a_file_that_cannot_be_read_and_says_why) {
     const std::string folder = test::scratch_folder("one_door_folder");
     test::write_file(folder + "/good.frd", Strip{1, 2, 10}.text());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read_ansys_rst/rst_writer.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace feelem::test {
@@ -36,10 +37,10 @@ public:
         for (const auto& element : model_.elements) ids.push_back(element.id);
         set_pointer(head_, 15, 46, file_.add(model_.storage));
         set_pointer(head_, 14, 45, file_.add(ids));
-        places_ = file_.add(Words(2 * kTable));
+        places_ = file_.add(Words(2 * table_));
         set_pointer(head_, 11, 41, places_);
-        std::vector<double> times(kTable);
-        Words steps(3 * kTable);
+        std::vector<double> times(table_);
+        Words steps(3 * table_);
         for (std::size_t i = 0; i < model_.sets.size(); ++i) {
             times[i] = model_.sets[i].time;
             steps[3 * i] = model_.sets[i].load_step;
@@ -55,8 +56,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t kTable = 10;
-
     void set_pointer(std::size_t record, std::size_t low_item, std::size_t high_item, std::size_t value) {
         file_.set_item(record, low_item, low(static_cast<std::int64_t>(value)));
         file_.set_item(record, high_item, high(static_cast<std::int64_t>(value)));
@@ -72,7 +71,7 @@ private:
         file_.add(standard);
         Words head(80);
         head[2] = static_cast<std::int32_t>(model_.storage.size());
-        head[3] = kTable;
+        head[3] = static_cast<std::int32_t>(table_);
         head[4] = static_cast<std::int32_t>(model_.dofs.size());
         head[6] = static_cast<std::int32_t>(model_.elements.size());
         head[7] = model_.analysis;
@@ -150,7 +149,7 @@ private:
         for (const WrittenElementRecord& record : set.element_records)
             head[146] |= 1 << static_cast<int>(record.table_entry);
         const std::size_t at = file_.add(head);
-        set_pointer(places_, i + 1, kTable + i + 1, at);
+        set_pointer(places_, i + 1, table_ + i + 1, at);
         file_.add(std::vector<double>(100, set.time));
         if (!set.solution.empty()) {
             set_pointer(at, 105, 106, file_.add(set.solution) - at);
@@ -190,6 +189,7 @@ private:
     const WrittenModel& model_;
     RecordFile file_;
     std::size_t head_ = 0, places_ = 0;
+    std::size_t table_ = std::max<std::size_t>(10, model_.sets.size());
 };
 
 }  // namespace

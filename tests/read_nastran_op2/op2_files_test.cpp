@@ -138,6 +138,22 @@ TEST(Op2, results_alone_take_the_mesh_of_the_file_before_them) {
     EXPECT_EQ(diagnostics.count(Code::ResultWithoutNode), 1U);
 }
 
+TEST(Op2, results_of_grids_that_the_file_before_mostly_has_not_are_refused_with_counts) {
+    Op2Writer foreign;
+    foreign.begin_table("OUGV1");
+    foreign.block({}, joined({row(4, 1), row(98, 1), row(99, 1)}));
+    foreign.end_table();
+    Diagnostics diagnostics;
+    std::vector<NamedBytes> files{{"a.op2", static_file({})}, {"b.op2", foreign.finish()}};
+    try {
+        open_model(std::move(files), {}, diagnostics);
+        FAIL() << "was read";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::MeshesDiffer);
+        EXPECT_THAT(error.what(), HasSubstr("of its 3 grids the inputs before it, with 4 grids, have 1."));
+    }
+}
+
 TEST(Op2, a_grid_that_stands_elsewhere_than_in_the_file_before_is_an_error) {
     Op2Writer other;
     other.begin_table("GEOM1");

@@ -4,6 +4,7 @@
 #include "read/abaqus/deck_keywords.hpp"
 #include "read/abaqus/deck_mesh.hpp"
 #include "read/abaqus/deck_model.hpp"
+#include "read/adopt_sets.hpp"
 #include "read/merged_model.hpp"
 
 #include "feelem/error.hpp"
@@ -103,6 +104,8 @@ private:
             return;
         }
         check_same_mesh(*mesh_, mesh, name);
+        // Ours, or of a source as young as this one: nobody has seen it yet.
+        adopt_sets(mesh, nullptr, name, const_cast<Mesh&>(*mesh_), diagnostics_);
     }
 
     [[noreturn]] static void throw_no_nodes(const std::string& name) {

@@ -14,12 +14,15 @@ namespace feelem::rst {
 
 RstSource::RstSource(Input input, Diagnostics& diagnostics)
     : records_(std::move(input)), diagnostics_(diagnostics), header_(read_header(records_)),
-      file_mesh_(read_file_mesh(records_, header_, diagnostics)),
-      sets_(read_sets(records_, header_, diagnostics)) {
+      file_mesh_(read_file_mesh(records_, header_, diagnostics)) {
+    // Heads lie far from each other: what stands between them is not wanted yet.
+    records_.input().expect_jumps();
+    sets_ = read_sets(records_, header_, diagnostics);
     if (mesh().node_count() == 0)
         throw Error(Code::NoNodes, records_.input().name(), "the result file holds no nodes");
     find_row_nodes();
     list_results();
+    records_.input().expect_run();
     reported_.resize(infos_.size());
 }
 

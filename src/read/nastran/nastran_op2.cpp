@@ -114,7 +114,9 @@ private:
         Diagnostics unsaid;
         if (context.mesh != nullptr) {
             // What is odd in the deck was said when it was read.
-            check_same_ids(*context.mesh, read_mesh(input_, layout_, unsaid), input_);
+            const Mesh own = read_mesh(input_, layout_, unsaid);
+            check_same_ids(*context.mesh, own, input_);
+            if (own.node_count() == 0) check_most_are_known(*context.mesh, ids_of_first_block(), input_);
             mesh_ = context.mesh;
             return;
         }
@@ -130,6 +132,15 @@ private:
             );
         }
         mesh_ = &own_mesh_;
+    }
+
+    /// Of one result: they are the same in all of a file.
+    std::vector<NodeId> ids_of_first_block() const {
+        std::vector<NodeId> ids;
+        if (!contents_.nodal.empty()) collect_ids(input_, layout_, contents_.nodal.front(), ids);
+        std::ranges::sort(ids);
+        ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        return ids;
     }
 
     /// Without geometry the ids of the results are all that is known: their places are missing.

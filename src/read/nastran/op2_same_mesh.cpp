@@ -61,6 +61,7 @@ void check_same_places(const Mesh& deck, const Mesh& own, const Input& input) {
 }  // namespace
 
 void check_same_ids(const Mesh& deck, const Mesh& own, const Input& input) {
+    check_most_are_known(deck, own.node_ids, input);
     check_same_places(deck, own, input);
     const auto theirs = by_id(deck);
     const auto same_node = [&](NodeIndex a, NodeIndex b) {
@@ -82,6 +83,23 @@ void check_same_ids(const Mesh& deck, const Mesh& own, const Input& input) {
             )
         );
     }
+}
+
+void check_most_are_known(const Mesh& deck, std::span<const NodeId> ids, const Input& input) {
+    const auto known = static_cast<std::size_t>(std::ranges::count_if(ids, [&](NodeId id) {
+        return find_node(deck, id) != kNoNode;
+    }));
+    if (2 * known >= ids.size()) return;
+    throw Error(
+        Code::MeshesDiffer,
+        input.name(),
+        fmt::format(
+            "of its {} grids the inputs before it, with {} grids, have {}. Are the files of one model?",
+            ids.size(),
+            deck.node_count(),
+            known
+        )
+    );
 }
 
 }  // namespace feelem::op2
