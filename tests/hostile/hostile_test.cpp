@@ -22,6 +22,8 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <memory>
 #include <random>
 #include <sstream>
 
@@ -33,6 +35,8 @@ namespace fs = std::filesystem;
 using test::kSanitized;
 
 constexpr std::size_t kAttempts = kSanitized ? 3 : 10;
+/// For files that the helper program reads: each attempt starts it several times.
+constexpr std::size_t kFewAttempts = 1;
 constexpr double kMostSeconds = kSanitized ? 20 : 2;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 constexpr std::uint64_t kLargeFile = 1'500'000;
@@ -49,7 +53,7 @@ std::uint64_t seed_of(const std::string& text) {
 }
 
 /// Opens and uses; empty when that ended as it must.
-std::string attempt(std::vector<NamedBytes> files, const ReadOptions& options = {}) {
+std::string attempt_to(const std::function<std::unique_ptr<ModelSource>(Diagnostics&)>& open) {
     // Processor time: a busy machine must not fail it. A sleep for ever is left to CTest's timeout.
     const std::clock_t start = std::clock();
     test::reset_peak_memory();
@@ -57,7 +61,7 @@ std::string attempt(std::vector<NamedBytes> files, const ReadOptions& options = 
     std::string wrong;
     try {
         Diagnostics diagnostics;
-        const auto model = open_model(std::move(files), options, diagnostics);
+        const auto model = open(diagnostics);
         wrong = test::exercise(*model);
     } catch (const Error& error) {
         if (std::string(error.what()).size() < 10) wrong = "an error without words";
@@ -69,6 +73,12 @@ std::string attempt(std::vector<NamedBytes> files, const ReadOptions& options = 
     const std::uint64_t used = test::peak_memory() - std::min(before, test::peak_memory());
     if (!kSanitized && used > kMostBytes) wrong += fmt::format(" used {} MiB", used >> 20);
     return wrong;
+}
+
+std::string attempt(std::vector<NamedBytes> files, const ReadOptions& options = {}) {
+    return attempt_to([&](Diagnostics& diagnostics) {
+        return open_model(std::move(files), options, diagnostics);
+    });
 }
 
 std::string cut(const std::string& bytes, std::mt19937_64& random) {
@@ -165,6 +175,27 @@ void expect_survival_below(const std::string& root, std::size_t attempts = kAtte
     std::cout << fmt::format("{} files\n", cases.size());
 }
 
+/// Copies a folder, damages one of its files, and opens `main`, for each file and each attempt.
+void expect_family_survival(const std::string& from, const std::string& main, std::size_t count) {
+    const std::string folder = test::scratch_folder("hostile_family");
+    for (const auto& entry : fs::directory_iterator(from)) {
+        const std::string name = entry.path().filename().string();
+        // Files of other families in the folder.
+        if (!entry.is_regular_file() || name.substr(0, 5) != main.substr(0, 5)) continue;
+        std::mt19937_64 random(seed_of(name));
+        for (std::size_t i = 0; i < 2 * count; ++i) {
+            fs::copy(from, folder, fs::copy_options::overwrite_existing | fs::copy_options::recursive);
+            const std::string bytes = test::read_file(entry.path().string());
+            test::write_file(folder + "/" + name, i < count ? cut(bytes, random) : damage(bytes, random));
+            const std::vector<std::string> paths{folder + "/" + main};
+            EXPECT_EQ(
+                attempt_to([&](Diagnostics& diagnostics) { return open_model(paths, {}, diagnostics); }), ""
+            ) << name
+              << ", attempt " << i;
+        }
+    }
+}
+
 class Hostile : public testing::Test {
 protected:
     /// A request for far too much memory fails at once instead of bringing the machine down.
@@ -183,6 +214,20 @@ TEST_F(Hostile, shipped_files_cut_and_damaged_are_survived) {
     expect_survival_below(test::project_file("tests/data/gmsh"));
     expect_survival_below(test::project_file("tests/data/ansys"));
     expect_survival_below(test::project_file("tests/data/abaqus"));
+}
+
+TEST_F(Hostile, shipped_exchange_files_cut_and_damaged_are_survived) {
+    expect_survival_below(test::project_file("tests/data/exchange"), kFewAttempts);
+}
+
+TEST_F(Hostile, files_that_belong_together_are_survived_whichever_is_damaged) {
+    const char* count = std::getenv("FEELEM_HOSTILE");
+    const std::size_t attempts = count != nullptr ? std::stoul(count) : kFewAttempts;
+    expect_family_survival(test::project_file("tests/data/exchange/ensight"), "stack.case", attempts);
+    expect_family_survival(test::project_file("tests/data/exchange/vtk"), "stack.pvd", attempts);
+    expect_family_survival(test::project_file("tests/data/exchange/vtk"), "stack.pvtu", attempts);
+    const auto states = test::corpus_file("lsdyna/test/test_data/simple_d3plot/d3plot");
+    if (states) expect_family_survival(fs::path(*states).parent_path().string(), "d3plot", attempts);
 }
 
 TEST_F(Hostile, corpus_of_calculix_cut_and_damaged_is_survived) {
@@ -213,8 +258,6 @@ TEST_F(Hostile, corpus_of_exchange_formats_cut_and_damaged_is_survived) {
     const auto universal = test::corpus_file("unv");
     if (!universal) GTEST_SKIP() << "the corpus is not here";
     expect_survival_below(*universal);
-    // Each attempt starts the helper program several times.
-    constexpr std::size_t kFewAttempts = 1;
     for (const char* folder : {"converted", "exodus", "lsdyna"}) {
         const auto corpus = test::corpus_file(folder);
         if (corpus) expect_survival_below(*corpus, kFewAttempts);

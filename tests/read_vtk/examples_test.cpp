@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -158,6 +159,7 @@ TEST_F(ExchangeExamples, ensight_has_everything_but_ids) {
         *model, stack_example(), {.node_ids = false, .element_ids = false, .one_node_a_point = false}
     );
     EXPECT_TRUE(diagnostics().entries().empty());
+    EXPECT_EQ(model->inputs().size(), 12U);
 }
 
 TEST_F(ExchangeExamples, ensight_of_second_order_has_everything_but_ids) {
@@ -200,6 +202,65 @@ TEST_F(ExchangeExamples, pieces_of_a_pvtu_are_joined_where_their_ids_are_the_sam
     expect_example(
         *model, stack_example(), {.parts = Kept::Parts::None, .steps = {0}, .times = false, .damage = false}
     );
+}
+
+/// Every value of `cut` that is none of `whole`, by the result's name; empty when there is none.
+std::string invented_by(ModelSource& cut, ModelSource& whole) {
+    if (cut.mesh().coordinates != whole.mesh().coordinates) return "other nodes";
+    if (cut.mesh().element_count() != whole.mesh().element_count()) return "other elements";
+    for (std::size_t i = 0; i < cut.results().size(); ++i) {
+        const ResultInfo& info = cut.results()[i];
+        for (std::size_t k = 0; k < whole.results().size(); ++k) {
+            const ResultInfo& right = whole.results()[k];
+            if (info.name != right.name || cut.steps()[info.step].value != whole.steps()[right.step].value)
+                continue;
+            const Result all = whole.load(k);
+            Result some;
+            try {
+                some = cut.load(i);
+            } catch (const Error&) {
+                continue;
+            }
+            for (std::size_t v = 0; v < some.values.size(); ++v) {
+                if (!std::isnan(some.values[v]) && some.values[v] != all.values.at(v)) return info.name;
+            }
+        }
+    }
+    return {};
+}
+
+TEST_F(ExchangeExamples, cut_file_gives_no_value_that_the_whole_one_does_not) {
+    const struct {
+        const char *folder, *main, *cut;
+    } kFiles[]{
+        {"exodus", "stack.exo", "stack.exo"},
+        {"vtk", "stack.vtk", "stack.vtk"},
+        {"vtk", "curved.vtu", "curved.vtu"},
+        {"vtk", "stack.pvd", "stack.pvd"},
+        {"med", "stack.med", "stack.med"},
+        {"cgns", "curved.cgns", "curved.cgns"},
+        {"ensight", "stack.case", "stack.geo"},
+        {"ensight", "stack.case", "stack.heat02"},
+        {"ensight", "stack.case", "stack.stre01"}};
+    const std::string scratch = test::scratch_folder("cut_examples");
+    for (const auto& [folder, main, cut] : kFiles) {
+        SCOPED_TRACE(cut);
+        OPEN_OR_SKIP(whole, std::string(folder) + "/" + main);
+        const std::string from = test::project_file(std::string("tests/data/exchange/") + folder);
+        const std::string bytes = test::read_file(from + "/" + cut);
+        for (const std::size_t length :
+             {bytes.size() / 3, bytes.size() * 2 / 3, bytes.size() - 30, bytes.size() - 4}) {
+            std::filesystem::copy(from, scratch, std::filesystem::copy_options::overwrite_existing);
+            test::write_file(scratch + "/" + cut, bytes.substr(0, length));
+            Diagnostics notes;
+            try {
+                const auto model = open_model(std::vector<std::string>{scratch + "/" + main}, {}, notes);
+                EXPECT_EQ(invented_by(*model, *whole), "") << "cut at " << length;
+            } catch (const Error& error) {
+                EXPECT_NE(std::string(error.what()), "");
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // What comes through the pipe from the helper program is as little trusted as any file; how often it is
 // started; names in lists of files.
 #include "read/exchange/asked_values.hpp"
+#include "read/exchange/ensight_case.hpp"
 #include "read/exchange/family_names.hpp"
 #include "read/exchange/neutral_form.hpp"
 
@@ -193,13 +194,70 @@ TEST(FamilyNames, attributes_are_found_in_their_own_tags_only) {
     EXPECT_THAT(attribute_values(text, "Piece", "Source"), ElementsAre("a.vtu"));
 }
 
-TEST(FamilyNames, case_files_are_the_last_words_of_their_lines) {
+TEST(FamilyNames, pvd_without_its_end_is_an_error) {
+    const std::string text =
+        "<VTKFile type=\"Collection\"><Collection><DataSet timestep=\"0\" file=\"a.vtu\"/>";
+    EXPECT_THROW(read_pvd(text, "x"), Error);
+    EXPECT_EQ(read_pvd(text + "</Collection></VTKFile>", "x").size(), 1U);
+}
+
+constexpr const char* kCase = R"(FORMAT
+type: ensight gold
+GEOMETRY
+model: 1 1 a.geo**** change_coords_only
+VARIABLE
+scalar per node: 2 T a.t**
+vector per element: U fixed.u
+complex scalar per node: 1 P p.re p.im 50.0
+constant per case: c 1.5
+scalar per measured node: M m.m
+TIME
+time set: 1
+number of steps: 2
+filename start number: 7
+filename increment: 3
+time values: 0.5 1.5
+time set: 2
+number of steps: 3
+filename numbers: 1 5
+ 12
+time values: 0 1
+ 2e0
+)";
+
+TEST(EnsightCase, files_of_all_steps_are_named) {
     EXPECT_THAT(
-        case_files(
-            "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 a.geo\nVARIABLE\nscalar per node: 1 T a.t**\n"
-        ),
-        ElementsAre("a.geo", "a.t**")
+        files_of(read_ensight_case(kCase)),
+        ElementsAre("a.geo0007", "a.geo0010", "a.t01", "a.t05", "a.t12", "fixed.u", "p.re", "p.im", "m.m")
     );
+}
+
+TEST(EnsightCase, file_of_a_time_is_the_last_that_is_not_later) {
+    const EnsightCase all = read_ensight_case(kCase);
+    ASSERT_EQ(all.variables.size(), 5U);
+    EXPECT_EQ(file_at(all, all.variables[0].file, 1.9), "a.t05");
+    EXPECT_EQ(file_at(all, all.variables[0].file, 2), "a.t12");
+    EXPECT_EQ(file_at(all, all.geometry, 1.9), "a.geo0010");
+    EXPECT_EQ(file_at(all, all.variables[1].file, 1.9), "fixed.u");
+    EXPECT_FALSE(all.variables[1].nodal);
+    EXPECT_TRUE(all.variables[4].measured);
+}
+
+TEST(EnsightCase, values_are_counted_without_parts_and_undefined_ones) {
+    EXPECT_EQ(count_ensight_values("T\npart\n 1\ncoordinates\n 1.0\n-2e5\n"), 2);
+    EXPECT_EQ(count_ensight_values("T\npart\n 1\ncoordinates undef\n -9.9\n 1.0\npart\n2\nhexa8\nnan\n"), 2);
+    EXPECT_EQ(count_ensight_values("T\npart\n 1\ncoordinates partial\n 1\n 1\n 1.0\n"), -1);
+}
+
+TEST(EnsightCase, geometry_that_ends_early_is_noticed) {
+    const std::string text = "a\nb\nnode id assign\nelement id given\npart\n 1\nbody\ncoordinates\n 1\n "
+                             "0.0\n 0.0\n 0.0\npoint\n 1\n "
+                             "9\n 1\n";
+    EXPECT_EQ(trouble_of_ensight_geometry(text), "");
+    EXPECT_EQ(trouble_of_ensight_end(text), "");
+    EXPECT_NE(trouble_of_ensight_geometry(text.substr(0, text.size() - 3)), "");
+    EXPECT_NE(trouble_of_ensight_end("T\n 1.00000e+00\n 2.0"), "");
+    EXPECT_EQ(trouble_of_ensight_end("T\n 1.00000e+00\n 2.00000e+00"), "");
 }
 
 }  // namespace

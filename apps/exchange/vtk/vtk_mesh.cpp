@@ -177,6 +177,9 @@ std::string part_name(const std::string& leaf, std::size_t index, std::size_t co
 std::string kind_of_cell(int type, vtkIdType points) {
     if (type == VTK_EMPTY_CELL) return fmt::format("cell that VTK does not know, of {} points,", points);
     const char* const name = vtkCellTypes::GetClassNameFromTypeId(type);
+    const bool any_number = type == VTK_POLYHEDRON || type == VTK_POLYGON || type == VTK_TRIANGLE_STRIP ||
+                            type == VTK_POLY_LINE || type == VTK_POLY_VERTEX;
+    if (any_number && name != nullptr) return name;
     return fmt::format("{} of {} points", name != nullptr ? name : "cell", points);
 }
 

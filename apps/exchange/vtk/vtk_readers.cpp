@@ -3,9 +3,11 @@
 
 #include "base/input.hpp"
 #include "read/exchange/family_names.hpp"
+#include "vtk/ensight_check.hpp"
 #include "vtk/exodus_sets.hpp"
 #include "vtk/exodus_values.hpp"
 #include "vtk/joined_tensors.hpp"
+#include "vtk/netcdf_size.hpp"
 #include "vtk/vtk_mesh.hpp"
 
 #include <vtkAlgorithm.h>
@@ -31,7 +33,8 @@
 namespace feelem::exchange {
 namespace {
 
-/// Keeps what VTK says of errors; warnings are silent.
+/// Keeps what VTK says of errors. Warnings are silent, but those of bytes that could not be read: then VTK
+/// goes on with what it has.
 class Words : public vtkOutputWindow {
 public:
     static Words* New();
@@ -39,18 +42,26 @@ public:
     void DisplayErrorText(const char* text) override {
         if (errors.size() < 2000) errors += text;
     }
-    void DisplayWarningText(const char*) override {}
-    void DisplayGenericWarningText(const char*) override {}
+    void DisplayWarningText(const char* text) override { keep_of_reading(text); }
+    void DisplayGenericWarningText(const char* text) override { keep_of_reading(text); }
     void DisplayDebugText(const char*) override {}
     std::string errors;
+
+private:
+    void keep_of_reading(const std::string& text) {
+        if (text.find("Error reading") != std::string::npos) DisplayErrorText(text.c_str());
+    }
 };
 vtkStandardNewMacro(Words)
 
     /// The sentence of "ERROR: In file, line 1\nvtkX (0x1): sentence".
     std::string sentence_of(const std::string& text) {
-    const std::size_t at = text.find("): ");
-    std::string out = at == std::string::npos ? text : text.substr(at + 3);
-    return out.substr(0, out.find('\n'));
+    if (text.find("returned failure for request") != std::string::npos) return "it gives no reason";
+    std::size_t at = text.find("): ");
+    if (at != std::string::npos) return text.substr(at + 3, text.find('\n', at) - at - 3);
+    at = text.find("Error reading");
+    if (at == std::string::npos) at = 0;
+    return text.substr(at, text.find('\n', at) - at);
 }
 
 vtkNew<Words>& words() {
@@ -60,7 +71,10 @@ vtkNew<Words>& words() {
 
 void throw_on_error() {
     if (!words()->errors.empty())
-        throw std::runtime_error("VTK cannot read the file: " + sentence_of(words()->errors));
+        throw std::runtime_error(
+            "VTK cannot read the file; it may be damaged, or not copied whole: " +
+            sentence_of(words()->errors)
+        );
 }
 
 void add_leaves(vtkDataObject* object, const std::string& name, std::vector<Leaf>& leaves) {
@@ -191,6 +205,7 @@ private:
 };
 
 std::unique_ptr<VtkReader> open_exodus(const std::string& path) {
+    check_netcdf_size(path);
     vtkNew<vtkExodusIIReader> reader;
     reader->SetFileName(path.c_str());
     // By default points are moved by the displacements: they would count twice.
@@ -215,11 +230,26 @@ std::unique_ptr<VtkReader> open_exodus(const std::string& path) {
     return std::make_unique<ExodusReader>(reader.Get(), path);
 }
 
+class EnsightReader : public PipelineReader {
+public:
+    EnsightReader(vtkSmartPointer<vtkAlgorithm> reader, std::string path)
+        : PipelineReader(std::move(reader), false), path_(std::move(path)) {}
+    std::vector<Leaf> read(std::size_t step) override {
+        std::vector<Leaf> leaves = PipelineReader::read(step);
+        const std::vector<double> all = times();
+        check_ensight_files(path_, step < all.size() ? all[step] : 0, leaves);
+        return leaves;
+    }
+
+private:
+    std::string path_;
+};
+
 std::unique_ptr<VtkReader> open_ensight(const std::string& path) {
     vtkNew<vtkGenericEnSightReader> reader;
     reader->SetCaseFileName(path.c_str());
     reader->ReadAllVariablesOn();
-    return std::make_unique<PipelineReader>(reader.Get(), false);
+    return std::make_unique<EnsightReader>(reader.Get(), path);
 }
 
 class CgnsReader : public PipelineReader {

@@ -3,6 +3,7 @@
 
 #include "base/byte_reader.hpp"
 #include "base/number.hpp"
+#include "read/exchange/ensight_case.hpp"
 #include "read/exchange/exchange_source.hpp"
 #include "read/exchange/family_names.hpp"
 
@@ -107,7 +108,7 @@ Names pvd_others(const Input& input, IncludeFiles*) {
     return names;
 }
 Names ensight_others(const Input& input, IncludeFiles*) {
-    return case_files(input.text());
+    return files_of(read_ensight_case(input.text()));
 }
 /// d3plot01, d3plot02 ... as far as they go.
 Names d3plot_others(const Input& input, IncludeFiles* includes) {

@@ -100,8 +100,8 @@ private:
                 Code::UnknownElementType,
                 input().name(),
                 fmt::format(
-                    "elements of type {} are left out: Feelem does not know their shape. ParaView's filter "
-                    "Tetrahedralize makes shapes that it knows",
+                    "elements of type {} are left out: Feelem does not know their shape. ParaView's filters "
+                    "Tetrahedralize and Triangulate make shapes that it knows",
                     name
                 ),
                 count

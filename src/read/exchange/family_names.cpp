@@ -76,6 +76,8 @@ std::vector<PvdEntry> read_pvd(std::string_view text, const std::string& name) {
         const auto time = parse_double(attribute_of(*tag, "timestep").value_or("0"));
         entries.push_back({time.value_or(0), *file, attribute_of(*tag, "name").value_or("")});
     }
+    if (text.find("</VTKFile") == std::string_view::npos)
+        throw Error(Code::Truncated, name, "the collection has no </VTKFile> at its end: it was cut");
     if (entries.empty())
         throw Error(Code::BadStructure, name, "the collection names no file (<DataSet timestep= file=/>)");
     return entries;
@@ -91,21 +93,6 @@ std::vector<std::string> attribute_values(
             values.push_back(std::move(*value));
     }
     return values;
-}
-
-std::vector<std::string> case_files(std::string_view text) {
-    std::vector<std::string> files;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trim(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::size_t colon = line.find(':');
-        const bool names_file = line.starts_with("model:") || line.find(" per ") != std::string_view::npos;
-        if (!names_file || colon == std::string_view::npos) continue;
-        const std::size_t last = line.find_last_of(" \t");
-        files.emplace_back(line.substr(std::max(last, colon) + 1));
-    }
-    return files;
 }
 
 }  // namespace feelem::exchange

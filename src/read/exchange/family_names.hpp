@@ -14,15 +14,12 @@ struct PvdEntry {
     std::string file;
     std::string part{};  ///< Empty: the collection names none.
 };
-/// In file order. Throws Error(BadStructure) when there is none.
+/// In file order. Throws Error(BadStructure) when there is none, Error(Truncated) when the end is missing.
 std::vector<PvdEntry> read_pvd(std::string_view text, const std::string& name);
 
 /// Values of an attribute in the tags of that name: the pieces of .pvtu (Source) and .vtm (file).
 std::vector<std::string> attribute_values(
     std::string_view text, std::string_view tag, std::string_view attribute
 );
-
-/// File names of an EnSight case, with * still in them where a series is meant.
-std::vector<std::string> case_files(std::string_view text);
 
 }  // namespace feelem::exchange

@@ -110,7 +110,7 @@ std::string ending_of(int status) {
         if (WTERMSIG(status) == SIGXCPU) return "took too long";
         return fmt::format("crashed (signal {})", WTERMSIG(status));
     }
-    return fmt::format("ended with status {}", WEXITSTATUS(status));
+    return fmt::format("gave up without a word (status {})", WEXITSTATUS(status));
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// EnSight's text files against what VTK made of them: of a file that was cut, VTK reads the lines that are
+// not there as 0.
+#pragma once
+
+#include "vtk/vtk_readers.hpp"
+
+#include <string>
+#include <vector>
+
+namespace feelem::exchange {
+
+/// Throws std::runtime_error when a file that belongs to this time has not as many values as `leaves`.
+void check_ensight_files(const std::string& case_path, double time, const std::vector<Leaf>& leaves);
+
+}  // namespace feelem::exchange
