@@ -28,6 +28,7 @@ struct Options {
     int port = 8322;
     bool port_given = false;
     bool lan = false;
+    std::string certificate_file, key_file;
     bool open_browser = true;
 };
 

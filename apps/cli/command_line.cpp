@@ -148,7 +148,14 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
         app.add_option("--port", options.port, "N (8322, or the next that is free)")
             ->check(CLI::Range(1, 65535).description(""))
             ->option_text(" ");
-        app.add_flag("--lan", options.lan, "Serve to headsets on the local network");
+        app.add_flag(
+            "--lan", options.lan, "Serve to headsets on the local network too: HTTPS, a secret link"
+        );
+        app.add_option(
+               "--cert", options.certificate_file, "FILE: certificate in PEM form, instead of our own"
+        )
+            ->option_text(" ");
+        app.add_option("--key", options.key_file, "FILE: its key")->option_text(" ");
         app.add_flag("!--no-open", options.open_browser, "Do not open a browser");
     }
     app.add_option("--threads", options.threads, "N: threads at most; 0: all of them (0)")
@@ -193,6 +200,13 @@ void finish_options(const CLI::App& app, const Command& command, Options& option
     if (!texts.point.empty()) options.point = numbers<3>("--point", texts.point);
     if (!texts.ray.empty()) options.ray = numbers<6>("--ray", texts.ray);
     if (has(command.takes, Takes::Serving)) options.port_given = app.count("--port") > 0;
+    if (options.certificate_file.empty() != options.key_file.empty()) {
+        throw UsageError("--cert and --key belong together: one of them is missing");
+    }
+    if (!options.certificate_file.empty() && !options.lan) {
+        throw UsageError("--cert and --key are for --lan: on this machine alone the page needs no certificate"
+        );
+    }
     if (has(command.takes, Takes::Inputs) && options.job.inputs.empty()) {
         throw UsageError(fmt::format("no input. Usage: feelem {} {}", command.name, command.usage));
     }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// `feelem view`: convert if need be, serve the page on this machine, open it.
+// `feelem view`: convert if need be, serve the page on this machine or to the local network, open it.
 #include "command.hpp"
 #include "page_server.hpp"
+#include "qr_code.hpp"
 #include "scene_input.hpp"
 #include "terminal.hpp"
 
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
@@ -46,14 +48,34 @@ void open_browser(const std::string& address) {
     posix_spawn_file_actions_destroy(&quiet);
 }
 
+/// How others get here: link, code, fingerprint, cable.
+void print_ways(const server::PageServer& server, const std::string& query) {
+    const std::vector<std::string> links = server.links();
+    if (links.empty()) {
+        fmt::print("No network is up: only this machine can see it.\n");
+    } else {
+        fmt::print("Headset or phone in the same network: {}{}\n", links.front(), query);
+        if (isatty(STDOUT_FILENO) != 0) fmt::print("\n{}\n", server::qr_for_terminal(links.front() + query));
+        for (std::size_t i = 1; i < links.size(); ++i) fmt::print("  or {}{}\n", links[i], query);
+        fmt::print(
+            "Who has the link sees the model. The browser warns once of the certificate{}; its SHA-256 "
+            "fingerprint is\n  {}\n",
+            server.has_new_certificate() ? " (made anew just now)" : "",
+            server.fingerprint()
+        );
+    }
+    const std::string path = server.address().substr(server.address().find('/', 7));
+    fmt::print(
+        "By USB: adb reverse tcp:{0} tcp:{0}, then http://localhost:{0}{1}{2} on the headset\n",
+        server.port(),
+        path,
+        query
+    );
+}
+
 }  // namespace
 
 int run_view(const Options& options) {
-    if (options.lan) {
-        throw UsageError(
-            "--lan is not available yet: the page is served on this machine only (leave out --lan)"
-        );
-    }
     const SceneInput scene(options);
     if (scene.path().empty()) {
         fmt::print(stderr, "feelem: cancelled\n");
@@ -67,14 +89,19 @@ int run_view(const Options& options) {
     sigaddset(&ending, SIGHUP);
     pthread_sigmask(SIG_BLOCK, &ending, nullptr);
     std::signal(SIGPIPE, SIG_IGN);  // A browser that goes away is no reason to end.
-    server::PageServer server({scene.path(), options.port, options.port_given});
+    server::ServeOptions serving{scene.path(), options.port, options.port_given, options.lan};
+    serving.certificate_file = options.certificate_file;
+    serving.key_file = options.key_file;
+    server::PageServer server(serving);
     server.start();
     const std::filesystem::path path(scene.path());
     const std::string name = path.filename().string();
     // The page looks for scene.glb unless it is told otherwise.
     const std::string query = path.extension() == ".gltf" ? "?scene=scene.gltf" : "";
     const std::string address = server.address() + query;
-    fmt::print("{} is shown at {}\nCtrl-C ends it.\n", name, address);
+    fmt::print("{} is shown at {}\n", name, address);
+    if (options.lan) print_ways(server, query);
+    fmt::print("Ctrl-C ends it.\n");
     std::fflush(stdout);
     if (options.open_browser) open_browser(address);
     int signal = 0;

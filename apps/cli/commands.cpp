@@ -23,7 +23,7 @@ constexpr std::array kCommands{
     Command{
         "view",
         "Show results or a scene in the browser",
-        "INPUT... | SCENE [--port N] [--no-open]",
+        "INPUT... | SCENE [--port N] [--lan] [--no-open]",
         Takes::Inputs | Takes::Reading | Takes::Model | Takes::Serving,
         run_view},
     Command{

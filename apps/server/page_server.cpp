@@ -1,256 +1,225 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "page_server.hpp"
 
+#include "answers.hpp"
 #include "base/sha256.hpp"
-#include "byte_range.hpp"
+#include "certificate.hpp"
+#include "connect_page.hpp"
+#include "guard.hpp"
+#include "gzip.hpp"
+#include "listener.hpp"
 #include "page_assets.hpp"
+#include "rate_limit.hpp"
 #include "side_files.hpp"
 
 #include "feelem/error.hpp"
 
 #include <fmt/format.h>
 #include <httplib.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <filesystem>
 #include <map>
-#include <span>
 #include <string_view>
-#include <thread>
 #include <utility>
 
 namespace feelem::server {
 namespace {
 
-constexpr const char* kHost = "127.0.0.1";
+/// Requests of one address: more than any page needs, less than what would keep others waiting.
+constexpr double kRequestsAtOnce = 4000, kRequestsASecond = 1000;
+/// Of one that does not know the link.
+constexpr double kRefusalsAtOnce = 60, kRefusalsASecond = 5;
 
-/// What three.js and the page need and nothing more: images and workers made in the page, files of this
-/// server.
-constexpr const char* kContentSecurityPolicy =
-    "default-src 'self'; img-src 'self' data: blob:; connect-src 'self' data: blob:; worker-src 'self' "
-    "blob:; "
-    "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
-struct MediaType {
-    std::string_view suffix, type;
-};
-constexpr std::array kMediaTypes{
-    MediaType{".html", "text/html; charset=utf-8"},
-    MediaType{".js", "text/javascript; charset=utf-8"},
-    MediaType{".css", "text/css; charset=utf-8"},
-    MediaType{".json", "application/json"},
-    MediaType{".svg", "image/svg+xml"},
-    MediaType{".png", "image/png"},
-    MediaType{".ico", "image/x-icon"},
-    MediaType{".wasm", "application/wasm"},
-    MediaType{".woff2", "font/woff2"},
-    MediaType{".glb", "model/gltf-binary"},
-    MediaType{".gltf", "model/gltf+json"},
-    MediaType{".bin", "application/octet-stream"}};
-
-std::string media_type(std::string_view path) {
-    for (const MediaType& row : kMediaTypes) {
-        if (path.ends_with(row.suffix)) return std::string(row.type);
+/// What the library reads: a head that we have checked. What it writes goes out by our connection.
+class LibraryStream final : public httplib::Stream {
+public:
+    LibraryStream(Connection& connection, std::string head)
+        : connection_(connection), head_(std::move(head)) {}
+    bool is_readable() const override { return at_ < head_.size(); }
+    bool is_writable() const override { return true; }
+    ssize_t read(char* bytes, std::size_t size) override {
+        const std::size_t count = std::min(size, head_.size() - at_);
+        std::copy_n(head_.data() + at_, count, bytes);
+        at_ += count;
+        return static_cast<ssize_t>(count);
     }
-    return "application/octet-stream";
-}
+    ssize_t write(const char* bytes, std::size_t size) override {
+        return connection_.write({bytes, size}) ? static_cast<ssize_t>(size) : -1;
+    }
+    void get_remote_ip_and_port(std::string& address, int& port) const override {
+        address = connection_.address();
+        port = 0;
+    }
+    void get_local_ip_and_port(std::string& address, int& port) const override {
+        address = connection_.own_address();
+        port = 0;
+    }
+    int socket() const override { return connection_.socket(); }
 
-struct Asset {
-    std::string_view path;
-    std::span<const std::byte> gzip;
-    std::string hash;
+private:
+    Connection& connection_;
+    std::string head_;
+    std::size_t at_ = 0;
 };
 
-std::string unpack(std::span<const std::byte> gzip) {
-    z_stream stream{};
-    constexpr int kGzip = 16 + MAX_WBITS;
-    if (inflateInit2(&stream, kGzip) != Z_OK) throw std::bad_alloc();
-    stream.next_in =
-        const_cast<Bytef*>(reinterpret_cast<const Bytef*>(gzip.data()));  // zlib never writes there
-    stream.avail_in = static_cast<uInt>(gzip.size());
-    std::string plain;
-    std::array<char, 65536> chunk{};
-    int status = Z_OK;
-    while (status == Z_OK) {
-        stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
-        stream.avail_out = static_cast<uInt>(chunk.size());
-        status = inflate(&stream, Z_NO_FLUSH);
-        plain.append(chunk.data(), chunk.size() - stream.avail_out);
+/// The library for one request: it makes the answer's head and sends the body.
+class Library final : public httplib::Server {
+public:
+    bool answer(LibraryStream& stream, bool close) {
+        set_keep_alive_timeout(60);
+        set_keep_alive_max_count(1000);
+        svr_sock_ = stream.socket();  // Without a socket of its own it takes itself to be shutting down.
+        bool is_closed = false;
+        return process_request(stream, close, is_closed, nullptr);
     }
-    inflateEnd(&stream);
-    return plain;
+};
+
+bool wants_close(const RequestHead& head) {
+    const std::string_view connection = head.header("connection");
+    if (head.version == "HTTP/1.0") return connection != "keep-alive";
+    return connection.find("close") != std::string_view::npos ||
+           connection.find("Close") != std::string_view::npos;
 }
 
-void add_common_headers(httplib::Response& response) {
-    response.set_header("Content-Security-Policy", kContentSecurityPolicy);
-    response.set_header("X-Content-Type-Options", "nosniff");
-    response.set_header("Referrer-Policy", "no-referrer");
-    response.set_header("Cross-Origin-Opener-Policy", "same-origin");
-    response.set_header("Cross-Origin-Embedder-Policy", "require-corp");
-    response.set_header("Cross-Origin-Resource-Policy", "same-origin");
-}
-
-void answer_text(httplib::Response& response, int status, const std::string& text) {
-    response.status = status;
-    response.set_content(text, "text/plain; charset=utf-8");
-}
-
-/// True, and answered with 304, when the client has this version already.
-bool is_known(const httplib::Request& request, httplib::Response& response, const std::string& etag) {
-    response.set_header("ETag", etag);
-    const std::string known = request.get_header_value("If-None-Match");
-    if (known != "*" && known.find(etag) == std::string::npos) return false;
-    response.status = 304;
-    return true;
-}
-
-/// The library answers any range it can parse, beyond the end too: it is told what the file can give.
-void answer_bytes(
-    const httplib::Request& request,
-    httplib::Response& response,
-    std::string_view bytes,
-    const std::string& type,
-    std::shared_ptr<const void> owner
-) {
-    auto& ranges =
-        const_cast<httplib::Request&>(request).ranges;  // The library's own object, not a constant.
-    ranges.clear();
-    response.set_header("Accept-Ranges", "bytes");
-    const RangeRequest wanted = read_range(request.get_header_value("Range"), bytes.size());
-    if (wanted.answer == RangeAnswer::NotSatisfiable) {
-        response.set_header("Content-Range", fmt::format("bytes */{}", bytes.size()));
-        return answer_text(response, 416, "the file is shorter than that\n");
-    }
-    response.status = 200;
-    if (wanted.answer == RangeAnswer::Part) {
-        response.status = 206;
-        ranges.emplace_back(
-            static_cast<ssize_t>(wanted.range.first), static_cast<ssize_t>(wanted.range.last)
-        );
-    }
-    if (bytes.empty()) return response.set_content("", type);
-    // A provider, for the library would compress a body again.
-    response.set_content_provider(
-        bytes.size(),
-        type,
-        [bytes, owner = std::move(owner)](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-            constexpr std::size_t kChunk = 1u << 20;
-            if (offset >= bytes.size()) return false;
-            const std::string_view part = bytes.substr(offset, std::min(length, kChunk));
-            return sink.write(part.data(), part.size());
-        }
-    );
-}
-
-void answer_asset(const httplib::Request& request, httplib::Response& response, const Asset& asset) {
-    // The builder puts a hash into the names of files under assets/.
-    const bool has_hash = asset.path.starts_with("/assets/");
-    response.set_header("Cache-Control", has_hash ? "public, max-age=31536000, immutable" : "no-cache");
-    response.set_header("Vary", "Accept-Encoding");
-    const bool takes_gzip = request.get_header_value("Accept-Encoding").find("gzip") != std::string::npos;
-    if (is_known(request, response, fmt::format("\"{}{}\"", asset.hash, takes_gzip ? "-gzip" : ""))) return;
-    const std::string type = media_type(asset.path);
-    if (!takes_gzip) {
-        auto plain = std::make_shared<std::string>(unpack(asset.gzip));
-        const std::string_view bytes = *plain;
-        return answer_bytes(request, response, bytes, type, std::move(plain));
-    }
-    response.set_header("Content-Encoding", "gzip");
-    const std::string_view bytes(reinterpret_cast<const char*>(asset.gzip.data()), asset.gzip.size());
-    answer_bytes(request, response, bytes, type, nullptr);
-}
-
-void answer_file(
-    const httplib::Request& request,
-    httplib::Response& response,
-    const std::shared_ptr<const ServedFile>& file
-) {
-    response.set_header("Cache-Control", "no-cache");
-    if (is_known(request, response, file->etag)) return;
-    answer_bytes(request, response, file->bytes.text(), media_type(request.path), file);
+std::vector<std::string> host_names(const LanNames& lan, const Certificate& certificate) {
+    std::vector<std::string> names{"127.0.0.1", "localhost", "[::1]"};
+    for (const std::string& address : lan.addresses) names.push_back(in_url(address));
+    names.insert(names.end(), certificate.names.begin(), certificate.names.end());
+    return names;
 }
 
 }  // namespace
 
 struct PageServer::State {
-    explicit State(const std::string& scene) : folder(scene) {}
+    explicit State(const ServeOptions& options) : folder(options.scene_path) {}
 
-    httplib::Server server;
     SceneFolder folder;
-    std::map<std::string_view, Asset> assets;
-    std::thread thread;
+    std::map<std::string, Asset, std::less<>> assets;
+    Certificate certificate;
+    LanNames lan;
+    std::string token;
     int port = 0;
+    std::unique_ptr<Guard> guard;
+    std::unique_ptr<FrontDoor> door;
+    RateLimit requests{kRequestsAtOnce, kRequestsASecond};
+    RateLimit refusals{kRefusalsAtOnce, kRefusalsASecond};
 
-    /// Names by which a browser on this machine may call us: another one is a foreign page that made its name
-    /// point here (DNS rebinding).
-    bool is_for_us(const httplib::Request& request) const {
-        const std::string host = request.get_header_value("Host");
-        const std::array names{
-            fmt::format("127.0.0.1:{}", port),
-            fmt::format("localhost:{}", port),
-            fmt::format("[::1]:{}", port)};
-        return request.get_header_value_count("Host") == 1 && std::ranges::find(names, host) != names.end();
-    }
-
-    void answer(const httplib::Request& request, httplib::Response& response) {
-        add_common_headers(response);
-        if (!is_for_us(request)) return answer_text(response, 421, "this is not the server you look for\n");
-        if (request.method != "GET" && request.method != "HEAD") {
-            response.set_header("Allow", "GET, HEAD");
-            return answer_text(response, 405, "only GET and HEAD\n");
-        }
-        const std::string path = request.path == "/" ? "/index.html" : request.path;
-        if (const auto asset = assets.find(path); asset != assets.end()) {
-            return answer_asset(request, response, asset->second);
-        }
-        if (const auto file = folder.find(path)) return answer_file(request, response, file);
-        answer_text(response, 404, "there is no such file\n");
-    }
+    std::string path_prefix() const { return token.empty() ? "/" : "/" + token + "/"; }
+    std::vector<std::string> links() const;
+    void collect_assets();
+    FrontDoor::Outcome serve(Connection& connection, const RequestHead& head);
+    void answer(const Exchange& exchange, const Guard::Verdict& verdict, int refused);
 };
 
-PageServer::PageServer(const ServeOptions& options) : state_(std::make_unique<State>(options.scene_path)) {
+std::vector<std::string> PageServer::State::links() const {
+    std::vector<std::string> hosts;
+    if (token.empty()) return hosts;
+    for (const std::string& address : lan.addresses) hosts.push_back(in_url(address));
+    for (const std::string& name : certificate.names) {
+        if (name != "localhost" && !name.starts_with("*")) hosts.push_back(name);
+    }
+    for (std::string& host : hosts) host = fmt::format("https://{}:{}{}", host, port, path_prefix());
+    return hosts;
+}
+
+void PageServer::State::collect_assets() {
+    for (const PageAsset& asset : page_assets()) {
+        assets[std::string(asset.path)] = {
+            std::string(asset.path), asset.gzip, sha256_hex(asset.gzip), nullptr};
+    }
+    if (token.empty()) return;
+    const ConnectFacts facts{
+        links(), certificate.fingerprint, port, fmt::format("http://localhost:{}{}", port, path_prefix())};
+    assets["/connect.html"] = packed_asset("/connect.html", connect_page(facts));
+    assets["/connect.css"] = packed_asset("/connect.css", connect_style());
+    assets["/index.html"] =
+        packed_asset("/index.html", with_connect_hint(unpack(assets["/index.html"].gzip)));
+}
+
+FrontDoor::Outcome PageServer::State::serve(Connection& connection, const RequestHead& head) {
+    const Guard::Verdict verdict = guard->judge(head, {connection.is_tls(), connection.own_address()});
+    const bool is_stranger = verdict.status != 0 && !token.empty();
+    RateLimit& limit = is_stranger ? refusals : requests;
+    const bool is_too_often = !limit.take(connection.address(), Clock::now());
+    const bool close = wants_close(head) || is_stranger || is_too_often;
+    Library library;
+    library.set_pre_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
+        // The library's own object, not a constant.
+        const Exchange exchange{head, const_cast<httplib::Request&>(request), response, !token.empty()};
+        try {
+            answer(exchange, verdict, is_too_often ? 429 : verdict.status);
+        } catch (const std::exception&) {
+            response = {};
+            answer_text(response, 500, "something went wrong here\n");
+        }
+        return httplib::Server::HandlerResponse::Handled;
+    });
+    // Ranges, encodings and the like are ours; of the target the library decodes the path.
+    const bool is_reading = head.method == "GET" || head.method == "HEAD";
+    const std::string target = verdict.target.empty() ? "/" : verdict.target;
+    LibraryStream stream(
+        connection,
+        fmt::format(
+            "{} {} HTTP/1.1\r\n{}\r\n",
+            is_reading ? head.method : "GET",
+            target,
+            close ? "Connection: close\r\n" : ""
+        )
+    );
+    const bool is_sent = library.answer(stream, close);
+    return {is_sent && !close, verdict.status == 0};
+}
+
+void PageServer::State::answer(const Exchange& exchange, const Guard::Verdict& verdict, int refused) {
+    httplib::Response& response = exchange.response;
+    add_common_headers(response);
+    if (refused == 405) response.set_header("Allow", "GET, HEAD");
+    if (refused == 429) response.set_header("Retry-After", "10");
+    switch (refused) {
+    case 0: break;
+    case 403: return answer_text(response, 403, "the whole link is needed, as it was printed\n");
+    case 405: return answer_text(response, 405, "only GET and HEAD\n");
+    case 421: return answer_text(response, 421, "this is not the server you look for\n");
+    default: return answer_text(response, refused, "too many requests\n");
+    }
+    if (verdict.lacks_slash) {
+        response.set_header("Location", path_prefix());
+        return answer_text(response, 308, "the link ends with a slash\n");
+    }
+    const std::string& path = exchange.request.path;
+    if (const auto asset = assets.find(path == "/" ? "/index.html" : path); asset != assets.end()) {
+        return answer_asset(exchange, asset->second);
+    }
+    if (const auto file = folder.find(path)) return answer_file(exchange, file);
+    answer_text(response, 404, "there is no such file\n");
+}
+
+PageServer::PageServer(const ServeOptions& options) : state_(std::make_unique<State>(options)) {
     const std::string suffix = std::filesystem::path(options.scene_path).extension().string();
     if (!state_->folder.find("/scene" + suffix)) {
         throw Error(Code::FileNotFound, options.scene_path, "there is no such scene");
     }
-    for (const PageAsset& asset : page_assets()) {
-        state_->assets[asset.path] = {asset.path, asset.gzip, sha256_hex(asset.gzip)};
+    if (options.lan) {
+        state_->lan = lan_names();
+        const std::string folder =
+            options.certificate_folder.empty() ? data_folder() : options.certificate_folder;
+        state_->certificate = options.certificate_file.empty()
+                                  ? own_certificate(folder, state_->lan)
+                                  : given_certificate(options.certificate_file, options.key_file);
+        state_->token = make_token();
     }
-    httplib::Server& server = state_->server;
-    server.new_task_queue = [] { return new httplib::ThreadPool(8); };
-    server.set_keep_alive_max_count(100'000);
-    server.set_tcp_nodelay(true);
-    server.set_payload_max_length(1024);
-    // Without the library's SO_REUSEPORT: two servers must not share a port.
-    server.set_socket_options([](socket_t socket) {
-        const int yes = 1;
-        setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
-    server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-        state_->answer(request, response);
-        return httplib::Server::HandlerResponse::Handled;
-    });
-    if (options.port == 0) {
-        state_->port = server.bind_to_any_port(kHost);
-        return;
-    }
-    constexpr int kPortsTried = 20;
-    const int last = options.only_that ? options.port : std::min(options.port + kPortsTried, 65535);
-    for (int port = options.port; port <= last && state_->port == 0; ++port) {
-        if (server.bind_to_port(kHost, port)) state_->port = port;
-    }
-    if (state_->port == 0) {
-        throw Error(
-            Code::BadOption,
-            "--port",
-            fmt::format(
-                "port {} is in use on this machine; another one, or 0 for any that is free?", options.port
-            )
-        );
-    }
+    const Listener listener = open_listener({options.port, options.only_that, options.lan});
+    state_->port = listener.port;
+    state_->door = std::make_unique<FrontDoor>(
+        listener.socket,
+        state_->certificate.context.get(),
+        [this](Connection& connection, const RequestHead& head) { return state_->serve(connection, head); },
+        options.limits
+    );
+    state_->guard =
+        std::make_unique<Guard>(host_names(state_->lan, state_->certificate), state_->port, state_->token);
+    state_->collect_assets();
 }
 
 PageServer::~PageServer() {
@@ -258,15 +227,11 @@ PageServer::~PageServer() {
 }
 
 void PageServer::start() {
-    state_->thread = std::thread([this] { state_->server.listen_after_bind(); });
-    // The socket listens already; stop() works only once the loop runs.
-    while (!state_->server.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    state_->door->start();
 }
 
 void PageServer::stop() {
-    if (!state_->thread.joinable()) return;
-    state_->server.stop();
-    state_->thread.join();
+    state_->door->stop();
 }
 
 int PageServer::port() const noexcept {
@@ -274,7 +239,19 @@ int PageServer::port() const noexcept {
 }
 
 std::string PageServer::address() const {
-    return fmt::format("http://{}:{}/", kHost, state_->port);
+    return fmt::format("http://127.0.0.1:{}{}", state_->port, state_->path_prefix());
+}
+
+std::vector<std::string> PageServer::links() const {
+    return state_->links();
+}
+
+std::string PageServer::fingerprint() const {
+    return state_->certificate.fingerprint;
+}
+
+bool PageServer::has_new_certificate() const {
+    return state_->certificate.is_new;
 }
 
 }  // namespace feelem::server

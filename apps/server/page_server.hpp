@@ -1,23 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Serves the page and one scene, on this machine only.
+// Serves the page and one scene: on this machine only, or to the local network under TLS to those who have
+// the link.
 #pragma once
+
+#include "front_door.hpp"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace feelem::server {
 
 struct ServeOptions {
-    std::string scene_path;
+    std::string scene_path{};
     int port = 8322;         ///< 0: any free one.
     bool only_that = false;  ///< Else the next free port of the twenty after it.
+    bool lan = false;
+    // For the local network only.
+    std::string certificate_file{}, key_file{};  ///< Empty: a certificate of our own.
+    std::string certificate_folder{};            ///< Where ours is kept; empty: the user's data folder.
+    DoorLimits limits{};
 };
 
-/// Bound to 127.0.0.1 when made; answers from start() to stop(). Answers only requests for this machine's own
-/// names, only GET and HEAD, and only what the page and the scene consist of.
+/// Answers from start() to stop(): only requests for our own names, only GET and HEAD, only what the page and
+/// the scene consist of. For the local network every path begins with a random token, and without it there is
+/// not a byte of the model, its name or its numbers; plain connections are taken from this machine alone.
 class PageServer {
 public:
-    /// Throws Error(FileNotFound) for the scene, Error(BadOption) when no port is free.
+    /// Throws Error(FileNotFound) for the scene, Error(BadOption) when no port is free, and what
+    /// certificate.hpp says.
     explicit PageServer(const ServeOptions& options);
     ~PageServer();
     PageServer(const PageServer&) = delete;
@@ -26,7 +37,10 @@ public:
     void start();
     void stop();
     int port() const noexcept;
-    std::string address() const;  ///< "http://127.0.0.1:8322/"
+    std::string address() const;             ///< On this machine: "http://127.0.0.1:8322/", or with "TOKEN/".
+    std::vector<std::string> links() const;  ///< For others, the best first; empty on loopback.
+    std::string fingerprint() const;         ///< Of the certificate; empty on loopback.
+    bool has_new_certificate() const;
 
 private:
     struct State;
