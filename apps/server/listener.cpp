@@ -15,7 +15,7 @@
 namespace feelem::server {
 namespace {
 
-constexpr int kBacklog = 64;
+constexpr int kBacklog = 1024;  ///< A crowd must not make others wait a second for their turn.
 constexpr int kPortsTried = 20;
 
 /// -1 when it is taken. Without SO_REUSEPORT: two servers must not share a port.

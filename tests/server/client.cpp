@@ -28,8 +28,8 @@ Client::Client(int port, bool tls) {
     setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
     if (connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) cut();
     if (!tls || socket_ < 0) return;
-    context_.reset(SSL_CTX_new(TLS_client_method()));
-    tls_.reset(SSL_new(context_.get()));
+    static SSL_CTX* const context = SSL_CTX_new(TLS_client_method());  // As a browser has one.
+    tls_.reset(SSL_new(context));
     SSL_set_fd(tls_.get(), socket_);
     if (SSL_connect(tls_.get()) != 1) {
         tls_.reset();

@@ -39,10 +39,8 @@ private:
 
     struct FreeTls {
         void operator()(SSL* tls) const { SSL_free(tls); }
-        void operator()(SSL_CTX* context) const { SSL_CTX_free(context); }
     };
     int socket_ = -1;
-    std::unique_ptr<SSL_CTX, FreeTls> context_;
     std::unique_ptr<SSL, FreeTls> tls_;
 };
 
