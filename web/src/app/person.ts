@@ -9,6 +9,10 @@ export interface Person {
   /** Of vibration, 0..1.5. */
   readonly strength: number;
   readonly leftHanded: boolean;
+  /** Tones over four octaves instead of three. */
+  readonly wide: boolean;
+  /** Amplitude of the weakest pulse, 0.08..0.4; null: the presentation's. */
+  readonly weakest: number | null;
 }
 
 const KEY = "feelem.person";
@@ -18,6 +22,8 @@ export const DEFAULT_PERSON: Person = Object.freeze({
   captions: true,
   strength: 1,
   leftHanded: false,
+  wide: false,
+  weakest: null,
 });
 
 /** Whatever the storage holds, the answer can be used. */
@@ -32,7 +38,16 @@ export function personOf(value: unknown, fallback: Person = DEFAULT_PERSON): Per
     captions: flag(given.captions, fallback.captions),
     strength: within(given.strength, 1.5, fallback.strength),
     leftHanded: flag(given.leftHanded, fallback.leftHanded),
+    wide: flag(given.wide, fallback.wide),
+    weakest: given.weakest === null ? null : weakestOf(given.weakest, fallback.weakest),
   };
+}
+
+/** Weaker is not felt by everybody, stronger leaves no room above. */
+export const WEAKEST: readonly [number, number] = [0.08, 0.4];
+
+function weakestOf(value: unknown, other: number | null): number | null {
+  return typeof value === "number" && value >= WEAKEST[0] && value <= WEAKEST[1] ? value : other;
 }
 
 /** What is remembered, else what the presentation suggests. */

@@ -4,6 +4,8 @@ import { colourOf, pulseOf, tickRateOf, toneOf } from "../present";
 import { nearestNode, type Place, placePoint, type ValueState, valueAt } from "../probe";
 import { utilisation } from "./limits";
 import type { ModelView, Shown } from "./model-view";
+import type { Person } from "./person";
+import { personalPitch, personalPulse } from "./personal";
 import {
   colourEffect,
   type PresentationDoc,
@@ -51,6 +53,7 @@ const hex = (rgb: readonly number[]) => `#${rgb.map((c) => c.toString(16).padSta
 export function reportAt(
   view: ModelView,
   doc: PresentationDoc,
+  person: Person,
   place: Place,
   pointer: { name: string; vibrates: boolean },
 ): ProbeReport | null {
@@ -64,8 +67,8 @@ export function reportAt(
   const ticks = view.shownAs("ticks");
   const pulses = view.shownAs("pulses");
   const looks = colourEffect(doc);
-  const sounds = pitchEffect(doc);
-  const beats = pulseEffect(doc);
+  const sounds = personalPitch(pitchEffect(doc), person);
+  const beats = personalPulse(pulseEffect(doc), person);
   const tone = pitch && sounds ? toneOf(numberOf(pitch), pitch.range, sounds) : null;
   const pulse = pulses && beats ? pulseOf(numberOf(pulses), pulses.range, beats) : { rate: 0, amplitude: 0 };
   const ownTicks = tickEffect(doc);

@@ -96,7 +96,7 @@ export class Probing {
 
   reportOf(pointer: PointerState): ProbeReport | null {
     if (!pointer.place) return null;
-    return reportAt(this.#view, this.#store.state.doc, pointer.place, {
+    return reportAt(this.#view, this.#store.state.doc, this.#store.state.person, pointer.place, {
       name: pointer.name,
       vibrates: pointer.actuator !== null,
     });

@@ -4,12 +4,14 @@ import { Vector3 } from "three";
 import { normalise } from "../present";
 import type { Stage } from "../render";
 import {
+  Beacon,
   createHaptics,
   createSound,
   type EventKind,
   EventWatch,
   guideRate,
   type Haptics,
+  type HeadDirection,
   type SensedLegend,
   type Sound,
   stopWhenLeft,
@@ -73,7 +75,10 @@ export class Senses {
   #legend: { legend: SensedLegend; start: number; at: number | null; end: () => void } | null = null;
   #rank: (value: number) => number = () => 0;
   #guideRate = 0;
+  #marked = false;
+  #beacon: Beacon | null = null;
   readonly #listeners = new Set<(kind: EventKind) => void>();
+  readonly #leavers = new Set<() => void>();
   #stopWatching: () => void;
   readonly #stopWaking: () => void;
 
@@ -122,6 +127,11 @@ export class Senses {
     this.#rank = rank;
   }
 
+  /** Called when the person leaves and everything falls silent. */
+  onStop(listener: () => void): void {
+    this.#leavers.add(listener);
+  }
+
   onEvent(listener: (kind: EventKind) => void): void {
     this.#listeners.add(listener);
   }
@@ -129,6 +139,24 @@ export class Senses {
   /** Place on the legend that sounds now; null: none is played. */
   get legendAt(): number | null {
     return this.#legend?.at ?? null;
+  }
+
+  /** Ticks from a direction of the head; null: none. */
+  beacon(direction: HeadDirection | null, rate = 0): void {
+    if (direction) this.wake();
+    if (!this.#context || !this.#sound) return;
+    if (direction) this.#beacon ??= new Beacon(this.#context, this.#sound.input);
+    this.#beacon?.update(this.#store.state.sound ? direction : null, rate, this.#store.state.person.mono);
+  }
+
+  get legendPlays(): boolean {
+    return this.#legend !== null;
+  }
+
+  /** A mark of the way on a path: one kind after the other, since each needs its rest. */
+  mark(): void {
+    this.#marked = !this.#marked;
+    this.#sound?.event(this.#marked ? "bandUp" : "bandDown");
   }
 
   /** Ticks a second that lead to the largest value; 0: nothing is held. */
@@ -173,6 +201,8 @@ export class Senses {
     this.#legend?.end();
     this.#legend = null;
     this.#sound?.stop();
+    this.#beacon?.update(null, 0, false);
+    for (const left of this.#leavers) left();
     for (const { haptics } of this.#hands.values()) haptics.stop();
   }
 
@@ -307,6 +337,7 @@ export class Senses {
   dispose(): void {
     this.#stopWatching();
     this.#stopWaking();
+    this.#beacon?.dispose();
     this.#sound?.dispose();
     void this.#context?.close();
   }

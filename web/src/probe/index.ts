@@ -5,3 +5,5 @@ export { findElement, findNode, placeOfVertex, placeVertex } from "./find";
 export { type HotSpot, hotSpots } from "./hot-spots";
 export { type Cast, type Hit, Picker, type PickLook } from "./picker";
 export * from "./sample";
+export { type Slab, slabsOf } from "./slabs";
+export { placeOnWalk, type Walk, walkThrough } from "./walk";

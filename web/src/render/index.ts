@@ -8,3 +8,4 @@ export { makePalette, type Palette, texelOf } from "./palette";
 export type { PartLook } from "./part-table";
 export { RulerLine } from "./ruler-line";
 export { Stage } from "./stage";
+export { SweepPlane } from "./sweep-plane";

@@ -23,6 +23,8 @@ export interface SoundFrame {
   readonly tremolo?: boolean;
   /** Dull tone while the value is below the range. */
   readonly dull?: boolean;
+  /** A quiet sine beside the tone: the mean of what the tone is the largest of. */
+  readonly second?: { readonly hz: number; readonly gain: number } | null;
   /** Neither the place nor the value has changed to speak of: after 2 s the tone steps back by 18 dB. */
   readonly still?: boolean;
 }
@@ -47,6 +49,8 @@ export interface Sound {
   setMaster(master: number): void;
   setMono(mono: boolean): void;
   readonly muted: boolean;
+  /** Where other sounds join: master level, mute and limiter come after it. */
+  readonly input: AudioNode;
   /** The last node before the loudspeakers, for taps and meters. */
   readonly output: AudioNode;
   dispose(): void;
@@ -60,6 +64,8 @@ const releaseTau = 0.01;
 const stopTau = 0.004;
 const patience = 0.6;
 const stillAfter = 2;
+/** The second sine against the tone: -9 dB. */
+const besides = 10 ** (-9 / 20);
 const steppedBack = 10 ** (-18 / 20);
 const baseHz = 261.6255653005986;
 
@@ -98,6 +104,8 @@ function gainNode(context: BaseAudioContext, value: number, ...inputs: AudioNode
 class Graph {
   readonly tones: readonly OscillatorNode[];
   readonly sources: readonly AudioScheduledSourceNode[];
+  readonly sine: OscillatorNode;
+  readonly second: GainNode;
   readonly plain: GainNode;
   readonly hollow: GainNode;
   readonly filter: BiquadFilterNode;
@@ -133,7 +141,9 @@ class Graph {
     this.tremoloDepth = gainNode(context, 0, flutter);
     this.tremoloDepth.connect(this.tremolo.gain);
     this.loudness = gainNode(context, 0, this.tremolo);
-    this.gate = gainNode(context, 0, this.loudness);
+    this.sine = new OscillatorNode(context, { frequency: baseHz });
+    this.second = gainNode(context, 0, this.sine);
+    this.gate = gainNode(context, 0, this.loudness, this.second);
     this.tickInput = gainNode(context, 1);
     this.duck = gainNode(context, 1, gainNode(context, options.toneGain, this.gate), this.tickInput);
     this.panner = new StereoPannerNode(context);
@@ -145,7 +155,7 @@ class Graph {
     this.limiter = new WaveShaperNode(context, { curve: limiterCurve() });
     this.master.connect(this.limiter).connect(context.destination);
     this.burst = tickBurst(context);
-    this.sources = [plain, hollow, noise, flutter];
+    this.sources = [plain, hollow, noise, flutter, this.sine];
     for (const source of this.sources) source.start();
   }
 }
@@ -174,6 +184,9 @@ class Engine implements Sound {
 
   get muted(): boolean {
     return this.#muted;
+  }
+  get input(): AudioNode {
+    return this.#graph.master;
   }
   get output(): AudioNode {
     return this.#graph.limiter;
@@ -208,6 +221,8 @@ class Engine implements Sound {
     }
     if (anew) jump(loudness.gain, gain, now);
     else glide(loudness.gain, gain * level, now, tau);
+    glide(this.#graph.sine.detune, 1200 * Math.log2((frame.second?.hz ?? hz) / baseHz), now, pitchTau);
+    glide(this.#graph.second.gain, frame.second ? besides * frame.second.gain : 0, now, gainTau);
     glide(gate.gain, 1, now, attackTau);
     this.#silentFrom = fadeOut(gate.gain, now + patience, releaseTau);
     this.#open = true;

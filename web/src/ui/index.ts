@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page around the model.
 export type { Actions, ViewName } from "./actions";
+export { CALIBRATION_STEPS, type CalibrationStep, calibrationTemplate } from "./calibration-form";
 export { axisOf, type CutActions, type CutDirection, cutListTemplate } from "./cut-list";
 export { axisTexts, numberText, stepText, unitText, withUnit } from "./format";
 export { type Handle, handlesTemplate } from "./handles";
@@ -25,6 +26,7 @@ export { type PartListActions, type PartRow, partListTemplate } from "./part-lis
 export { type CardModel, type CardRow, cardSentence, cardTemplate } from "./probe-card";
 export { COLUMNS, resultTableTemplate, type TableModel } from "./result-table";
 export { labelPositions, positionOf, valueAtPosition } from "./scale-axis";
+export { beaconTemplate, pathTemplate, sweepTemplate } from "./scan-forms";
 export { type PanelButton, type PanelPage, type PanelRow, type Section, sectionsTemplate } from "./section";
 export { type StepBarModel, stepBarTemplate } from "./step-bar";
 export { type TopBarModel, topBarTemplate } from "./top-bar";

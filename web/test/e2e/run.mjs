@@ -8,6 +8,7 @@ import { accessTests } from "./access.mjs";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { keepTests } from "./keep.mjs";
+import { listeningTests } from "./listening.mjs";
 import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
 import { programTests } from "./program.mjs";
@@ -49,6 +50,7 @@ let skipped = 0;
 for (const { name, run, skip } of [
   ...deskTests,
   ...lookTests,
+  ...listeningTests,
   ...timeTests,
   ...keepTests,
   ...shareTests,

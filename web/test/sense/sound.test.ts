@@ -131,6 +131,16 @@ describe.skipIf(!existsSync(executablePath))("sound engine", { timeout: 120_000 
     }
   });
 
+  test("the second sine sounds its own pitch 9 dB below a tone of the same gain", async () => {
+    const frame = { ...toneFrame(0.8), second: { hz: 311.7, gain: 0.5 } };
+    const [left] = await render(steady(0.9, frame));
+    const level = amplitudeAt(part(left, 0.3, 0.8), 311.7);
+    // Mono shares the sound between the ears.
+    expect(decibel(level / (0.1 * 0.5 * Math.SQRT1_2))).toBeCloseTo(-9, 0);
+    const [alone] = await render(steady(0.9, toneFrame(0.8)));
+    expect(amplitudeAt(part(alone, 0.3, 0.8), 311.7)).toBeLessThan(level / 20);
+  });
+
   test("the default mix is no louder than -20 dBFS on average", async () => {
     const frame = { ...toneFrame(0), tickRate: 12 };
     const [left, right] = await render(steady(2, frame, {} as typeof loud));

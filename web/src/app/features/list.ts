@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The list of features, in the order of their sections. A new one is a file beside this and a line here.
 import type { App } from "../app";
+import { BeaconFeature } from "./beacon";
+import { Calibration } from "./calibration";
 import { Cuts } from "./cuts";
 import { Difference } from "./difference";
 import type { Feature } from "./feature";
@@ -12,7 +14,9 @@ import { Listening } from "./listening";
 import { Notes } from "./notes";
 import { Palette } from "./palette";
 import { Parts } from "./parts";
+import { Path } from "./path";
 import { Save } from "./save";
+import { Sweep } from "./sweep";
 import { Variants } from "./variants";
 
 export function makeFeatures(app: App): readonly Feature[] {
@@ -24,6 +28,10 @@ export function makeFeatures(app: App): readonly Feature[] {
     new Cuts(app),
     new History(app),
     new Listening(app),
+    new Calibration(app),
+    new BeaconFeature(app),
+    new Path(app),
+    new Sweep(app),
     new Difference(app),
     new Notes(app),
     new Save(app),

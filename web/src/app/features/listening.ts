@@ -7,6 +7,7 @@ import { listeningTemplate, numberText, type PanelPage, type Section, unitText }
 import type { App } from "../app";
 import type { Shown } from "../model-view";
 import { type Person, rememberPerson } from "../person";
+import { personalPitch, personalPulse } from "../personal";
 import { pitchEffect, pulseEffect, pulseFallback, tickEffect } from "../presentation-doc";
 import type { Feature } from "./feature";
 
@@ -69,10 +70,10 @@ export class Listening implements Feature {
 
   #legends() {
     const { view, store, senses } = this.#app;
-    const { doc } = store.state;
-    const pitch = pitchEffect(doc);
+    const { doc, person } = store.state;
+    const pitch = personalPitch(pitchEffect(doc), person);
     const ticks = tickEffect(doc);
-    const pulses = pulseEffect(doc);
+    const pulses = personalPulse(pulseEffect(doc), person);
     const standIn = senses.canVibrate ? null : pulseFallback(doc);
     const ends = (s: Shown) =>
       `${numberText(s.range.lo, 4)} to ${numberText(s.range.hi, 4)} ${unitText(s.unit)}`;

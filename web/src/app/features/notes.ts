@@ -5,8 +5,8 @@ import { RulerLine } from "../../render";
 import type { NoteActions } from "../../ui";
 import { notesTemplate, numberText, type PanelPage, type Section, unitText } from "../../ui";
 import type { App } from "../app";
+import { chosenNode } from "../chosen-node";
 import type { Feature, PlaceMark } from "./feature";
-import type { History } from "./history";
 
 export const MOST_NOTES = 50;
 
@@ -32,8 +32,7 @@ export class Notes implements Feature, NoteActions {
   }
 
   #node(): number | null {
-    const { probing } = this.#app;
-    return probing.report()?.nodeId ?? this.#app.feature<History>("history").chosen()?.node ?? null;
+    return chosenNode(this.#app);
   }
 
   pinHere(): void {
