@@ -8,6 +8,7 @@
 
 #include "feelem/error.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -230,6 +231,13 @@ TEST(EnsightCase, files_of_all_steps_are_named) {
         files_of(read_ensight_case(kCase)),
         ElementsAre("a.geo0007", "a.geo0010", "a.t01", "a.t05", "a.t12", "fixed.u", "p.re", "p.im", "m.m")
     );
+}
+
+TEST(EnsightCase, more_files_than_any_real_case_has_are_refused) {
+    std::string text = "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 box.geo\nVARIABLE\n";
+    for (int i = 0; i < 100; ++i) text += fmt::format("scalar per node: 1 v{0} v{0}.****\n", i);
+    text += "TIME\ntime set: 1\nnumber of steps: 5000\nfilename start number: 0\nfilename increment: 1\n";
+    EXPECT_THROW(files_of(read_ensight_case(text)), Error);
 }
 
 TEST(EnsightCase, file_of_a_time_is_the_last_that_is_not_later) {

@@ -384,6 +384,10 @@ TEST_F(Vtk, damaged_files_are_errors_with_words) {
         error_of({{"x.pvd", "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\">\n</VTKFile>"}});
     EXPECT_EQ(pvd.code(), Code::BadStructure);
     EXPECT_THAT(pvd.what(), HasSubstr("names no file"));
+    const Error lonely = error_of(
+        {{"x.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: is not here.geo**\nTIME\ntime set: 1\n"}}
+    );
+    EXPECT_THAT(lonely.what(), HasSubstr("which is not beside it"));
 }
 
 std::size_t temporary_folders() {

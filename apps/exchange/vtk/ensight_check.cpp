@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 namespace feelem::exchange {
 namespace {
@@ -63,6 +64,17 @@ void check_values(
 }
 
 }  // namespace
+
+void expect_ensight_files(const std::string& case_path) {
+    const std::filesystem::path folder = std::filesystem::path(case_path).parent_path();
+    const EnsightCase all = read_ensight_case(Input::from_file(case_path).text());
+    if (all.geometry.pattern.empty()) throw std::runtime_error("the case names no geometry (model: FILE)");
+    for (const std::string& file : files_of(all)) {
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(folder / file, error))
+            refuse(file, "the case names this file, which is not beside it");
+    }
+}
 
 void check_ensight_files(const std::string& case_path, double time, const std::vector<Leaf>& leaves) {
     const EnsightCase all = read_ensight_case(Input::from_file(case_path).text());

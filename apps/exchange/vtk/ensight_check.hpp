@@ -10,6 +10,10 @@
 
 namespace feelem::exchange {
 
+/// Before VTK, which has waited for ever for a geometry that is not there. Throws std::runtime_error when a
+/// file that the case names is missing.
+void expect_ensight_files(const std::string& case_path);
+
 /// Throws std::runtime_error when a file that belongs to this time has not as many values as `leaves`.
 void check_ensight_files(const std::string& case_path, double time, const std::vector<Leaf>& leaves);
 

@@ -73,14 +73,16 @@ private:
         return count();
     }
     void skip(std::uint64_t bytes) {
-        if (bytes > from_.remaining()) throw std::runtime_error("the head of the netCDF file is damaged or was cut");
+        if (bytes > from_.remaining())
+            throw std::runtime_error("the head of the netCDF file is damaged or was cut");
         from_.take(static_cast<std::size_t>(bytes));
     }
     void skip_name() { skip(padded(count())); }
 
     static std::uint64_t bytes_of(std::uint32_t type) {
         constexpr std::uint64_t kBytes[]{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
-        if (type < 1 || type > 11) throw std::runtime_error("the head of the netCDF file is damaged or was cut");
+        if (type < 1 || type > 11)
+            throw std::runtime_error("the head of the netCDF file is damaged or was cut");
         return kBytes[type];
     }
 

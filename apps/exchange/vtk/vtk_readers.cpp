@@ -246,6 +246,7 @@ private:
 };
 
 std::unique_ptr<VtkReader> open_ensight(const std::string& path) {
+    expect_ensight_files(path);
     vtkNew<vtkGenericEnSightReader> reader;
     reader->SetCaseFileName(path.c_str());
     reader->ReadAllVariablesOn();

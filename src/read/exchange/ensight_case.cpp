@@ -3,10 +3,14 @@
 
 #include "base/number.hpp"
 
+#include "feelem/error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
+#include <set>
 #include <utility>
 
 namespace feelem::exchange {
@@ -170,14 +174,21 @@ EnsightCase read_ensight_case(std::string_view text) {
 }
 
 std::vector<std::string> files_of(const EnsightCase& all) {
+    constexpr std::size_t kMostFiles = 100'000, kMostBytes = std::size_t{16} << 20;
     std::vector<std::string> names;
+    std::set<std::string, std::less<>> known;
+    std::size_t bytes = 0, asked = 0;
     const auto add = [&](const EnsightCase::File& file) {
         const EnsightCase::TimeSet* const set = set_of(all, file);
         const bool series = file.pattern.find('*') != std::string::npos && set != nullptr;
         for (std::size_t i = 0; i < (series ? set->numbers.size() : 1U); ++i) {
+            bytes += file.pattern.size();
+            if (++asked > kMostFiles || bytes > kMostBytes)
+                throw Error(
+                    Code::TooLarge, "", "the case names more files than any real one: 100,000 are read"
+                );
             std::string name = series ? numbered(file.pattern, set->numbers[i]) : file.pattern;
-            if (!name.empty() && std::ranges::find(names, name) == names.end())
-                names.push_back(std::move(name));
+            if (!name.empty() && known.insert(name).second) names.push_back(std::move(name));
         }
     };
     add(all.geometry);

@@ -36,7 +36,8 @@ struct EnsightCase {
 /// Knows no errors: what it does not understand is left to VTK.
 EnsightCase read_ensight_case(std::string_view text);
 
-/// Names of all files of all steps, each once, in order.
+/// Names of all files of all steps, each once, in order. Throws Error(TooLarge) beyond 100,000 files or 16
+/// MiB.
 std::vector<std::string> files_of(const EnsightCase& all);
 
 /// The name at a time: that of the last step which is not later.
