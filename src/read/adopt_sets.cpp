@@ -2,6 +2,7 @@
 #include "read/adopt_sets.hpp"
 
 #include "base/letter_case.hpp"
+#include "read/element_lookup.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -46,6 +47,17 @@ bool holds_same(std::vector<Index> members, const std::vector<Index>& sorted) {
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
     return members == sorted;
+}
+
+/// The map of elements, and with it solids that a solver made of shells and beams: they keep the numbers.
+std::vector<ElementIndex> elements_shown(const Mesh& other, const MeshMap& map, const Mesh& shown) {
+    std::vector<ElementIndex> places = map.elements;
+    if (map.thickened == 0 || other.element_sets.empty()) return places;
+    const ElementLookup lookup(shown);
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+        if (places[i] == kNoElement) places[i] = lookup(element_at(other, ElementIndex{i}).id());
+    }
+    return places;
 }
 
 /// `members_of`: the member of a set that holds its nodes or elements.
@@ -128,9 +140,11 @@ void adopt_sets(
     const SetLosses nodes = adopt_kind(
         other.node_sets, map == nullptr ? nullptr : &map->nodes, kNoNode, &NodeSet::nodes, shown.node_sets
     );
+    const std::vector<ElementIndex> places =
+        map == nullptr ? std::vector<ElementIndex>{} : elements_shown(other, *map, shown);
     const SetLosses elements = adopt_kind(
         other.element_sets,
-        map == nullptr ? nullptr : &map->elements,
+        map == nullptr ? nullptr : &places,
         kNoElement,
         &ElementSet::elements,
         shown.element_sets

@@ -105,6 +105,13 @@ double scale_between(const Mesh& other, const Mesh& shown) {
     return scale;
 }
 
+/// Shells and beams without any solid.
+bool is_thin_mesh(const Mesh& mesh) {
+    return std::ranges::all_of(mesh.blocks, [](const ElementBlock& block) {
+        return element_row(block.type).dimension < 3;
+    });
+}
+
 [[noreturn]] void refuse(
     const Mesh& other,
     const Mesh& shown,
@@ -131,6 +138,11 @@ double scale_between(const Mesh& other, const Mesh& shown) {
     text += scale != 0 && scale != 1
                 ? fmt::format(". Its coordinates are {:g} times the others: are both in one unit?", scale)
                 : ". Are the files of one model?";
+    if (map.same_nodes == 0 && is_thin_mesh(other) != is_thin_mesh(shown)) {
+        text +=
+            " CalculiX makes solids of shells and beams, with nodes of their own, and numbers the layers of "
+            "composites anew: open its .frd without the deck";
+    }
     throw Error(Code::MeshesDiffer, name, text);
 }
 

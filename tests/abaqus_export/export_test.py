@@ -4,7 +4,9 @@
 
     export_test.py FEELEM SOURCE
 """
+import contextlib
 import importlib.util
+import io
 import json
 import pathlib
 import subprocess
@@ -88,6 +90,48 @@ def make_odb(instances):
                  steps={"Load": static, "Shake": modes, "Sweep": harmonic}, close=lambda: None)
 
 
+def plate(name="PLATE-1", space="THREE_D"):
+    """A shell, or a plane element, of four nodes."""
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    nodes = [Named(label=i + 1, coordinates=corner) for i, corner in enumerate(corners)]
+    elements = [Named(label=7, type="S4R" if space == "THREE_D" else "CPS4R", connectivity=(1, 2, 3, 4))]
+    return Named(name=name, nodes=nodes, elements=elements, embeddedSpace=space, nodeSets={}, elementSets={},
+                 sectionAssignments=[])
+
+
+def shell_stress(instance, of_point):
+    """Stress at section points 1 and 5: of_point(point, node) is S11."""
+    labels = ("S11", "S22", "S33", "S12")
+    field = Field(INTEGRATION_POINT, labels, [])
+    field.at_nodes = Field(ELEMENT_NODAL, labels, [
+        Named(instance=instance, componentLabels=labels, nodeLabels=[1, 2, 3, 4], elementLabels=[7] * 4,
+              sectionPoint=Named(number=point), data=[(of_point(point, i), 0.5, 0.0, 0.25) for i in range(1, 5)],
+              conjugateData=None) for point in (1, 5)])
+    return field
+
+
+class NoNodalValues(Field):
+    """A field of which Abaqus cannot make values at nodes."""
+
+    def getSubset(self, position):
+        raise RuntimeError("not available at this position")
+
+
+def one_frame_odb(instance, fields, **frame):
+    frame = {"incrementNumber": 1, "frameValue": 1.0, "mode": None, "description": "", **frame}
+    domain = "MODAL" if frame["mode"] else "TIME"
+    step = Named(name="Step-1", domain=domain, procedure="*STATIC", frames=[Named(fieldOutputs=fields, **frame)])
+    return Named(name="job.odb", title="", rootAssembly=Named(instances={instance.name: instance}),
+                 steps={"Step-1": step}, close=lambda: None)
+
+
+def results_of(path):
+    """Of info --json: (name, layer, complex, step, substep) -> {component: (min, max)}."""
+    return {(result["name"], result.get("layer"), result.get("complex"), result["step"], result["substep"]):
+            {c["component"]: (c["min"], c["max"]) for c in result["ranges"]}
+            for result in info_of(path)["results"]}
+
+
 def export(odb, folder, *arguments):
     spec = importlib.util.spec_from_file_location("feelem_export", SOURCE / "tools/abaqus/feelem_export.py")
     module = importlib.util.module_from_spec(spec)
@@ -143,6 +187,86 @@ class Export(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = export(make_odb([brick("BRICK-1", 0.0)]), folder, "--steps", "last")
             self.assertEqual(path.read_text().replace("\n", "").count("I 42000"), 1)
+
+    def test_section_points_are_layers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shell = plate()
+            path = export(one_frame_odb(shell, {"S": shell_stress(shell, lambda point, i: 10.0 * point + i)}), folder)
+            listed = results_of(path)
+            layers = {key[1]: ranges for key, ranges in listed.items() if key[0] == "stress"}
+            self.assertEqual(sorted(layers), ["bottom", "top"], listed.keys())
+            self.assertEqual(layers["bottom"]["xx"], (11, 14))
+            self.assertEqual(layers["top"]["xx"], (51, 54))
+            self.assertEqual(layers["top"]["xy"], (0.25, 0.25))
+
+    def test_rotations_follow_their_displacement(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shell = plate()
+            fields = {"U": nodal_field([shell], ("U1", "U2", "U3"), lambda _, i: (1.0 * i, 0.0, 0.5)),
+                      "UR": nodal_field([shell], ("UR1", "UR2", "UR3"), lambda _, i: (0.0, -0.125 * i, 0.0))}
+            listed = {key[0]: ranges for key, ranges in results_of(export(one_frame_odb(shell, fields), folder)).items()}
+            self.assertEqual(listed["displacement"]["x"], (1, 4))
+            self.assertEqual(listed["rotation"]["y"], (-0.5, -0.125))
+
+    def test_plane_models_have_two_directions(self):
+        with tempfile.TemporaryDirectory() as folder:
+            flat = plate(space="TWO_D_PLANAR")
+            fields = {"U": nodal_field([flat], ("U1", "U2"), lambda _, i: (1.0 * i, 2.0 * i))}
+            listed = {key[0]: ranges for key, ranges in results_of(export(one_frame_odb(flat, fields), folder)).items()}
+            self.assertEqual({name: listed["displacement"][name] for name in "xy"}, {"x": (1, 4), "y": (2, 8)})
+            self.assertNotIn("rotation", listed)
+
+    def test_complex_values_are_real_and_imaginary_parts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            listed = results_of(export(make_odb([brick("BRICK-1", 0.0)]), folder))
+            parts = {key[2]: ranges for key, ranges in listed.items() if key[:1] == ("displacement",) and key[3] == 3}
+            self.assertEqual(parts["real"]["y"], (2, 2))
+            self.assertEqual(parts["imaginary"]["z"], (-3, -3))
+
+    def test_complex_values_of_elements_are_named_as_not_written(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
+            stack = brick("BRICK-1", 0.0)
+            odb = one_frame_odb(stack, {"S": stress_field([stack])})
+            odb.steps["Step-1"].domain = "FREQUENCY"
+            self.assertEqual(results_of(export(odb, folder)), {})
+        self.assertIn("not written: S (complex, at elements)", said.getvalue())
+
+    def test_frequency_of_a_mode_may_be_an_attribute(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shell = plate()
+            fields = {"U": nodal_field([shell], ("U1", "U2", "U3"), lambda _, i: (1.0, 0.0, 0.0))}
+            odb = one_frame_odb(shell, fields, mode=3, frequency=12.5)
+            step = info_of(export(odb, folder))["steps"][0]
+            self.assertEqual((step["kind"], step["substep"]), ("mode", 3))
+            self.assertAlmostEqual(step["value"], 12.5, places=9)
+
+    def test_values_of_a_second_instance_stand_at_its_offset(self):
+        with tempfile.TemporaryDirectory() as folder:
+            value = lambda instance, i: (100.0 * i if instance.name == "B" else 1.0 * i, 0.0, 0.0)
+            stack = [brick("A", 0.0), brick("B", 1.0)]
+            odb = one_frame_odb(stack[0], {"U": nodal_field(stack, ("U1", "U2", "U3"), value)})
+            odb.rootAssembly.instances["B"] = stack[1]
+            result = info_of(export(odb, folder))["results"][0]["ranges"][0]
+            self.assertEqual((result["min"], result["min_id"], result["max"], result["max_id"]), (1, 1, 800, 1000008))
+
+    def test_fields_are_chosen_and_the_rest_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            odb = make_odb([brick("BRICK-1", 0.0)])
+            names = {key[0] for key in results_of(export(odb, folder, "--fields", "NT11"))}
+            self.assertEqual(names, {"temperature"})
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
+            shell = plate()
+            fields = {"E": NoNodalValues(INTEGRATION_POINT, (), []), "CPRESS": nodal_field([shell], (), lambda _, i: 1.0),
+                      "NT11": nodal_field([shell], (), lambda _, i: float("inf") if i == 2 else 20.0)}
+            export(one_frame_odb(shell, fields), folder)
+        self.assertIn("not written: CPRESS, E (not available at this position)", said.getvalue())
+        self.assertIn("left out: 1 records with numbers that are not finite", said.getvalue())
+
+    def test_says_wherever_it_is_described_that_it_has_not_run_in_abaqus(self):
+        tool = (SOURCE / "tools/abaqus/feelem_export.py").read_text()
+        page = (SOURCE / "docs/formats/abaqus.md").read_text()
+        self.assertIn("NEVER YET RUN IN ABAQUS", tool)
+        self.assertIn("**It has never yet been run in Abaqus**", page)
 
     def test_says_so_where_there_is_no_abaqus(self):
         done = subprocess.run([sys.executable, str(SOURCE / "tools/abaqus/feelem_export.py"), "job.odb"],
