@@ -6,8 +6,11 @@
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
+#include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
@@ -28,6 +31,64 @@ std::ptrdiff_t values_in(const Leaf& leaf, const EnsightCase::Variable& variable
                                            : leaf.data->GetCellData();
     vtkDataArray* const array = data->GetArray(variable.name.c_str());
     return array == nullptr ? 0 : array->GetNumberOfTuples() * array->GetNumberOfComponents();
+}
+
+/// In binary files each run of elements of one type stands behind its name.
+struct Runs {
+    std::ptrdiff_t runs = 0, nodes = 0;  ///< `nodes`: of all elements, each counted as often as it is named.
+    bool fixed = true;                   ///< No polygons and polyhedra, no structured parts.
+};
+
+Runs runs_of(vtkDataSet* data) {
+    Runs out;
+    int before = -1;
+    vtkNew<vtkIdList> points;
+    for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c) {
+        const int type = data->GetCellType(c);
+        if (type != before) ++out.runs;
+        before = type;
+        data->GetCellPoints(c, points);
+        out.nodes += points->GetNumberOfIds();
+        out.fixed =
+            out.fixed && type != VTK_POLYGON && type != VTK_POLYHEDRON && type != VTK_CONVEX_POINT_SET;
+    }
+    out.fixed = out.fixed && data->GetDataObjectType() == VTK_UNSTRUCTURED_GRID;
+    return out;
+}
+
+constexpr std::ptrdiff_t kText = 80, kNumber = 4;
+
+/// The least bytes of a binary file of these values.
+std::ptrdiff_t least_binary_size(const EnsightCase::Variable& variable, const std::vector<Leaf>& leaves) {
+    std::ptrdiff_t bytes = kText;
+    for (const Leaf& leaf : leaves) {
+        const std::ptrdiff_t values = values_in(leaf, variable);
+        if (values == 0) continue;
+        const std::ptrdiff_t sections = variable.nodal ? 1 : runs_of(leaf.data).runs;
+        bytes += kText + kNumber + sections * kText + values * kNumber;
+    }
+    return bytes;
+}
+
+/// Whether a geometry file in C's binary form is as long as what VTK made of it needs.
+bool has_binary_size(std::string_view file, const std::vector<Leaf>& leaves) {
+    constexpr std::ptrdiff_t kExtents = kText + 6 * kNumber, kSection = kText + kNumber;
+    const auto lists_ids = [&](std::size_t line) {
+        const std::string_view text = file.substr(std::min(line * kText, file.size()), kText);
+        return text.find("given") != std::string_view::npos || text.find("ignore") != std::string_view::npos;
+    };
+    const bool node_ids = lists_ids(3), element_ids = lists_ids(4);
+    std::ptrdiff_t bytes = 5 * kText;
+    for (const Leaf& leaf : leaves) {
+        const Runs runs = runs_of(leaf.data);
+        if (!runs.fixed) return true;
+        bytes += 3 * kText + 2 * kNumber + (node_ids ? 4 : 3) * kNumber * leaf.data->GetNumberOfPoints();
+        bytes += runs.runs * kSection + kNumber * runs.nodes;
+        if (element_ids) bytes += kNumber * leaf.data->GetNumberOfCells();
+    }
+    // Two sections of one type may follow each other.
+    const std::ptrdiff_t more = static_cast<std::ptrdiff_t>(file.size()) - bytes;
+    return more >= 0 && (more % kSection == 0 || (more >= kExtents && (more - kExtents) % kSection == 0));
 }
 
 [[noreturn]] void refuse(const std::string& file, const std::string& trouble) {
@@ -85,11 +146,20 @@ void check_ensight_files(const std::string& case_path, double time, const std::v
         if (trouble.empty()) trouble = trouble_of_ensight_geometry(geometry.text());
         if (!trouble.empty()) refuse(file_at(all, all.geometry, time), trouble);
     }
+    const bool is_plain = geometry.text().starts_with("C Binary") &&
+                          geometry.text().substr(0, 400).find("BEGIN TIME STEP") == std::string_view::npos;
+    if (all.is_gold && is_plain && !has_binary_size(geometry.text(), leaves))
+        refuse(
+            file_at(all, all.geometry, time), "is not as long as its parts need: it was cut or is damaged"
+        );
     for (const EnsightCase::Variable& variable : all.variables) {
         if (variable.measured || variable.name.empty()) continue;
         const std::string name = file_at(all, variable.file, time);
         const Input file = Input::from_file((folder / name).string());
-        if (is_ensight_text(file.text())) check_values(name, file.text(), all, variable, leaves);
+        if (is_ensight_text(file.text()))
+            check_values(name, file.text(), all, variable, leaves);
+        else if (all.is_gold && static_cast<std::ptrdiff_t>(file.size()) < least_binary_size(variable, leaves))
+            refuse(name, "is shorter than its parts need: it was cut");
     }
 }
 
