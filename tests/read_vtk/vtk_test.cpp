@@ -299,6 +299,7 @@ TEST_F(Vtk, d3plot_family_agrees_with_its_answer) {
         EXPECT_EQ(std::ranges::max(result.values), range[1].get<float>());
     }
     EXPECT_FALSE(results.contains("UserID"));
+    EXPECT_FALSE(results.contains("UserIds"));
 }
 
 TEST_F(Vtk, pieces_of_a_pvtu_are_found_and_recorded) {

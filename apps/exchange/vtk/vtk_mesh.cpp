@@ -83,8 +83,9 @@ std::optional<std::vector<std::vector<std::int64_t>>> ids_of(
 
 constexpr std::array<std::string_view, 4> kNodeIds{
     "GlobalNodeId", "GlobalNodeID", "NodeId", "PedigreeNodeId"};
-constexpr std::array<std::string_view, 4> kElementIds{
-    "GlobalElementId", "GlobalElementID", "ElementId", "PedigreeElementId"};
+// UserIds: LS-DYNA's.
+constexpr std::array<std::string_view, 5> kElementIds{
+    "GlobalElementId", "GlobalElementID", "ElementId", "PedigreeElementId", "UserIds"};
 
 using Point = std::array<double, 3>;
 
