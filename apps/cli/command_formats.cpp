@@ -16,6 +16,7 @@ std::vector<WriteFormatInfo> all_write_formats() {
         {"glb", "Feelem scene (glTF 2.0, one file)", ".glb"},
         {"gltf", "Feelem scene (glTF 2.0, buffers beside it)", ".gltf"}};
     for (const WriteFormatInfo& format : write_formats()) formats.push_back(format);
+    formats.push_back({"html", "Page and scene in one file, for a browser without network", ".html"});
     return formats;
 }
 

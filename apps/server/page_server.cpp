@@ -9,6 +9,7 @@
 #include "gzip.hpp"
 #include "listener.hpp"
 #include "page_assets.hpp"
+#include "qr_code.hpp"
 #include "rate_limit.hpp"
 #include "side_files.hpp"
 
@@ -132,6 +133,8 @@ void PageServer::State::collect_assets() {
     const ConnectFacts facts{
         links(), certificate.fingerprint, port, fmt::format("http://localhost:{}{}", port, path_prefix())};
     assets["/connect.html"] = packed_asset("/connect.html", connect_page(facts));
+    const std::string link = facts.links.empty() ? facts.usb_link : facts.links.front();
+    assets["/connect.svg"] = packed_asset("/connect.svg", qr_for_page(link));
     assets["/connect.css"] = packed_asset("/connect.css", connect_style());
     assets["/index.html"] =
         packed_asset("/index.html", with_connect_hint(unpack(assets["/index.html"].gzip)));

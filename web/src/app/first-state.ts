@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene from its address, and the state the page starts in.
 import { openScene, type SceneData } from "../scene";
+import { carriedFiles } from "./carried";
 import { rememberedPerson } from "./person";
 import { defaultPresentation, type PresentationDoc } from "./presentation-doc";
 import type { ViewState } from "./store";
@@ -9,8 +10,10 @@ import { rememberedTheme } from "./theme";
 /** Triangles up to which the ghost's lines are looked for unasked. */
 const GHOST_UP_TO = 300_000;
 
-/** Reads the scene; its side files are looked for beside it. */
+/** Reads the scene; its side files are looked for beside it, or all of them in the page itself. */
 export async function fetchScene(url: string): Promise<SceneData> {
+  const carried = carriedFiles();
+  if (carried) return openScene(await carried("scene.glb"), carried);
   const fetchBytes = async (address: string) => {
     const response = await fetch(address);
     if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());

@@ -2,6 +2,7 @@
 // The page around the model.
 export type { Actions, ViewName } from "./actions";
 export { CALIBRATION_STEPS, type CalibrationStep, calibrationTemplate } from "./calibration-form";
+export { connectTemplate } from "./connect";
 export { axisOf, type CutActions, type CutDirection, cutListTemplate } from "./cut-list";
 export { axisTexts, numberText, stepText, unitText, withUnit } from "./format";
 export { type Handle, handlesTemplate } from "./handles";

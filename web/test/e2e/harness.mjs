@@ -58,11 +58,12 @@ export async function launch() {
 export async function openPage(
   browser,
   url,
-  { width = 900, height = 620, headset = false, dark = false, smooth = false } = {},
+  { width = 900, height = 620, headset = false, dark = false, smooth = false, offline = false } = {},
 ) {
   const context = await browser.newContext({
     viewport: { width, height },
     ignoreHTTPSErrors: true,
+    offline,
     colorScheme: dark ? "dark" : "light",
   });
   context.setDefaultTimeout(15000);

@@ -8,29 +8,25 @@ import { join } from "node:path";
 import { findProgram, ROOT, whyNoScene } from "./binary.mjs";
 import { listen, openPage, until } from "./harness.mjs";
 
-const BOILER = join(ROOT, "examples/boiler");
-const whyNot = whyNoScene("examples/boiler/boiler.frd");
+export const BOILER = join(ROOT, "examples/boiler");
+export const whyNot = whyNoScene("examples/boiler/boiler.frd");
+
+export const BOILER_OPTIONS = [
+  ...["--length-unit", "mm", "--unit", "temperature=degC"],
+  ...["--unit", "displacement=mm", "--unit", "stress=MPa"],
+  ...["--present", join(BOILER, "boiler.presentation.json")],
+];
 
 /** Converts the boiler and serves it; gives address, scene file and an end. */
-async function viewBoiler() {
+export async function viewBoiler(...options) {
   const program = findProgram();
   const folder = mkdtempSync(join(tmpdir(), "feelem-e2e-"));
   const file = join(folder, "boiler.glb");
-  const units = [
-    "--length-unit",
-    "mm",
-    "--unit",
-    "temperature=degC",
-    "--unit",
-    "displacement=mm",
-    "--unit",
-    "stress=MPa",
-  ];
-  const presentation = ["--present", join(BOILER, "boiler.presentation.json")];
-  execFileSync(program, ["convert", join(BOILER, "boiler.frd"), "-o", file, ...units, ...presentation], {
+  execFileSync(program, ["convert", join(BOILER, "boiler.frd"), "-o", file, ...BOILER_OPTIONS], {
     stdio: "pipe",
   });
-  const child = spawn(program, ["view", file, "--no-open"], {
+  const child = spawn(program, ["view", file, "--no-open", ...options], {
+    env: { ...process.env, XDG_DATA_HOME: folder },
     stdio: ["ignore", "pipe", "pipe"],
   });
   const url = await new Promise((resolve, reject) => {

@@ -8,10 +8,12 @@ import { accessTests } from "./access.mjs";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { keepTests } from "./keep.mjs";
+import { lanTests } from "./lan.mjs";
 import { listeningTests } from "./listening.mjs";
 import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
 import { programTests } from "./program.mjs";
+import { reviewTests } from "./review.mjs";
 import { serve } from "./server.mjs";
 import { shareTests } from "./share.mjs";
 import { timeTests } from "./time.mjs";
@@ -58,6 +60,8 @@ for (const { name, run, skip } of [
   ...vrTests,
   ...programTests,
   ...variantTests,
+  ...reviewTests,
+  ...lanTests,
 ]) {
   if (!name.includes(wanted)) continue;
   if (skip) {

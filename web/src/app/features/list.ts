@@ -3,6 +3,7 @@
 import type { App } from "../app";
 import { BeaconFeature } from "./beacon";
 import { Calibration } from "./calibration";
+import { Connect } from "./connect";
 import { Cuts } from "./cuts";
 import { Difference } from "./difference";
 import type { Feature } from "./feature";
@@ -35,6 +36,7 @@ export function makeFeatures(app: App): readonly Feature[] {
     new Difference(app),
     new Notes(app),
     new Save(app),
+    new Connect(),
     new Links(app),
     new Palette(app),
   ];
