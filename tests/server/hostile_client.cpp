@@ -4,6 +4,8 @@
 #include "support/memory.hpp"
 #include "support/paths.hpp"
 
+#include <unistd.h>
+
 #include <filesystem>
 
 namespace feelem::test {
@@ -28,7 +30,8 @@ Shared& shared() {
 }  // namespace
 
 void HostileClient::SetUpTestSuite() {
-    const std::string folder = shared().folder = scratch_folder("hostile_client");
+    // CTest runs each case as a process of its own, some at once.
+    const std::string folder = shared().folder = scratch_folder(fmt::format("hostile_client_{}", getpid()));
     std::string scene;
     while (scene.size() < (2 << 20)) scene += kSecret;
     write_file(folder + "/boiler.glb", scene);
@@ -49,6 +52,7 @@ void HostileClient::SetUpTestSuite() {
 
 void HostileClient::TearDownTestSuite() {
     shared().server.reset();
+    std::filesystem::remove_all(shared().folder);
 }
 
 void HostileClient::TearDown() {
