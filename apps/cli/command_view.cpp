@@ -58,9 +58,9 @@ void print_ways(const server::PageServer& server, const std::string& query) {
         if (isatty(STDOUT_FILENO) != 0) fmt::print("\n{}\n", server::qr_for_terminal(links.front() + query));
         for (std::size_t i = 1; i < links.size(); ++i) fmt::print("  or {}{}\n", links[i], query);
         fmt::print(
-            "Who has the link sees the model. The browser warns once of the certificate{}; its SHA-256 "
-            "fingerprint is\n  {}\n",
-            server.has_new_certificate() ? " (made anew just now)" : "",
+            "Who has the link sees the model. {}SHA-256 fingerprint of the certificate{}:\n  {}\n",
+            server.has_own_certificate() ? "The browser warns once: we signed ourselves. " : "",
+            server.has_new_certificate() ? ", made anew just now" : "",
             server.fingerprint()
         );
     }

@@ -227,6 +227,7 @@ Certificate own_certificate(const std::string& folder, const LanNames& names) {
     const std::string path = (fs::path(folder) / "lan.pem").string();
     Kept kept = find_kept(path);
     Certificate made;
+    made.is_own = true;
     if (!kept.paper || !serves(*kept.paper, names)) {
         kept.key.reset(EVP_EC_gen("P-256"));
         if (!kept.key) fail(path, "no key could be made");

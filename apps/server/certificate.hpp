@@ -21,6 +21,7 @@ struct Certificate {
     TlsContext context;
     std::string fingerprint;         ///< SHA-256, "AB:CD:…", as browsers show it.
     std::vector<std::string> names;  ///< DNS names that it is for.
+    bool is_own = false;             ///< Nobody else has signed it.
     bool is_new = false;             ///< Made in this run.
 };
 

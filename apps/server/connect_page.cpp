@@ -8,6 +8,10 @@
 namespace feelem::server {
 namespace {
 
+constexpr const char* kWarning =
+    "<li>The browser warns once, because this computer made its certificate itself. Compare the fingerprint\n"
+    "below if you want to be sure, then go on (Advanced, Proceed).</li>\n";
+
 /// Names and addresses are ours, yet a host name is somebody's word.
 std::string escaped(const std::string& text) {
     std::string out;
@@ -39,6 +43,7 @@ std::string connect_page(const ConnectFacts& facts) {
 <html lang="en">
 <meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark"><title>Feelem on a headset or phone</title>
+<link rel="icon" href="data:,">
 <link rel="stylesheet" href="connect.css">
 <main>
 <h1>Open this model on a headset or phone</h1>
@@ -46,9 +51,7 @@ std::string connect_page(const ConnectFacts& facts) {
 <ol>
 <li>Join the same network as this computer.</li>
 <li>Scan the code, or type the link:<br><code class="link">{link}</code></li>
-<li>The browser warns once, because this computer made its certificate itself. Compare the fingerprint
-below if you want to be sure, then go on (Advanced, Proceed).</li>
-<li>Press Enter VR.</li>
+{warning}<li>Press Enter VR.</li>
 </ol></div>
 <p>Who has the link sees the model; nobody else does. It ends with the program.</p>
 <h2>Fingerprint of the certificate (SHA-256)</h2>
@@ -63,6 +66,7 @@ below if you want to be sure, then go on (Advanced, Proceed).</li>
 )",
         fmt::arg("code", qr_for_page(link)),
         fmt::arg("link", escaped(link)),
+        fmt::arg("warning", facts.is_own_certificate ? kWarning : ""),
         fmt::arg("fingerprint", escaped(facts.fingerprint)),
         fmt::arg("others", others),
         fmt::arg("port", facts.port),

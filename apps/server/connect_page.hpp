@@ -10,6 +10,7 @@ namespace feelem::server {
 struct ConnectFacts {
     std::vector<std::string> links;  ///< The first is in the code.
     std::string fingerprint;
+    bool is_own_certificate = true;
     int port = 0;
     std::string usb_link;
 };

@@ -114,12 +114,14 @@ struct PageServer::State {
 };
 
 std::vector<std::string> PageServer::State::links() const {
-    std::vector<std::string> hosts;
+    std::vector<std::string> hosts, names;
     if (token.empty()) return hosts;
     for (const std::string& address : lan.addresses) hosts.push_back(in_url(address));
     for (const std::string& name : certificate.names) {
-        if (name != "localhost" && !name.starts_with("*")) hosts.push_back(name);
+        if (name != "localhost" && !name.starts_with("*")) names.push_back(name);
     }
+    // Ours is for every address; one that somebody gave is mostly for its names alone.
+    hosts.insert(certificate.is_own ? hosts.end() : hosts.begin(), names.begin(), names.end());
     for (std::string& host : hosts) host = fmt::format("https://{}:{}{}", host, port, path_prefix());
     return hosts;
 }
@@ -131,7 +133,11 @@ void PageServer::State::collect_assets() {
     }
     if (token.empty()) return;
     const ConnectFacts facts{
-        links(), certificate.fingerprint, port, fmt::format("http://localhost:{}{}", port, path_prefix())};
+        links(),
+        certificate.fingerprint,
+        certificate.is_own,
+        port,
+        fmt::format("http://localhost:{}{}", port, path_prefix())};
     assets["/connect.html"] = packed_asset("/connect.html", connect_page(facts));
     const std::string link = facts.links.empty() ? facts.usb_link : facts.links.front();
     assets["/connect.svg"] = packed_asset("/connect.svg", qr_for_page(link));
@@ -251,6 +257,10 @@ std::vector<std::string> PageServer::links() const {
 
 std::string PageServer::fingerprint() const {
     return state_->certificate.fingerprint;
+}
+
+bool PageServer::has_own_certificate() const {
+    return state_->certificate.is_own;
 }
 
 bool PageServer::has_new_certificate() const {

@@ -40,6 +40,7 @@ public:
     std::string address() const;             ///< On this machine: "http://127.0.0.1:8322/", or with "TOKEN/".
     std::vector<std::string> links() const;  ///< For others, the best first; empty on loopback.
     std::string fingerprint() const;         ///< Of the certificate; empty on loopback.
+    bool has_own_certificate() const;        ///< Browsers warn of it.
     bool has_new_certificate() const;
 
 private:

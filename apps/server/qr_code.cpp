@@ -44,7 +44,8 @@ std::string qr_for_page(const std::string& text) {
         }
     }
     return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"code\" viewBox=\"0 0 {0} {0}\" role=\"img\" aria-label=\"QR code of the link\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"code\" viewBox=\"0 0 {0} {0}\" role=\"img\" "
+        "aria-label=\"QR code of the link\" "
         "shape-rendering=\"crispEdges\"><rect width=\"{0}\" height=\"{0}\" fill=\"#fff\"/><path d=\"{1}\" "
         "fill=\"#000\"/></svg>",
         side,

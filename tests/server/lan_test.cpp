@@ -134,6 +134,10 @@ TEST_F(SharedScene, a_certificate_of_the_users_own_is_taken_and_a_wrong_key_refu
     options_.certificate_file = options_.key_file = pem;
     const PageServer given(options_);
     EXPECT_EQ(given.fingerprint(), server_->fingerprint());
+    EXPECT_FALSE(given.has_own_certificate());
+    if (!server::lan_names().host.empty()) {
+        EXPECT_THAT(given.links().front(), Not(HasSubstr("https://1"))) << "its names before addresses";
+    }
 
     server::own_certificate(folder_ + "/other", {});
     options_.key_file = folder_ + "/other/lan.pem";
