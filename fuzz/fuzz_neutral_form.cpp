@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as the answer of the helper program feelem-exchange: refused, or a model that comes back as it is.
+// Any bytes as the answer of the helper program feelem-exchange: refused, or a model that comes back as it
+// is.
 #include "read/exchange/neutral_form.hpp"
 
 #include "feelem/error.hpp"
