@@ -34,7 +34,7 @@ constexpr auto kGenerators = std::to_array<Generator>({
         job.deck.where(job.keyword),
         fmt::format(
             "*{} and the keywords before it that generate nodes and elements {}. The limit is {} numbers "
-            "(five million nodes, or two million bricks). Write the mesh out plainly instead",
+            "(two million nodes, or 880,000 bricks of 8 nodes). Write the mesh out plainly instead",
             job.keyword.name,
             what,
             kMostGenerated

@@ -15,8 +15,8 @@
 namespace feelem::abaqus {
 
 /// A few lines can ask for any number of nodes, so what they may make is limited: coordinates, labels and
-/// nodes of rows, over a whole deck. 20 million are five million nodes or two million bricks.
-inline constexpr std::uint64_t kMostGenerated = 20'000'000;
+/// nodes of rows, over a whole deck. 8 million are two million nodes, or 880,000 bricks of 8 nodes.
+inline constexpr std::uint64_t kMostGenerated = 8'000'000;
 
 /// What is left of the limits; runs out over a whole deck.
 struct GenerationBudget {
