@@ -37,14 +37,14 @@ std::optional<BeamFamily> family_of(const ElementKindOfFile& kind) {
     }
 }
 
+}  // namespace
+
 /// Where the numbers of the two ends stand in a record, from 1.
 struct BeamPlaces {
     Item item = Item::Summable;
     std::size_t entry = 0;  ///< Of the element's table; 0: this family has none.
     std::array<std::size_t, 5> first{}, second{};
 };
-
-}  // namespace
 
 struct BeamQuantity {
     std::string_view name;
