@@ -9,12 +9,12 @@ export const here = dirname(fileURLToPath(import.meta.url));
 export const root = join(here, '..', '..');
 export const require = createRequire(join(root, 'web', 'package.json'));
 
-/** All scenes below a folder, but for those in folders named "broken" and the server's, which only look like scenes. */
+/** All scenes below a folder, but for those in folders named "broken" and "stand_ins" (the server's), which only look like scenes. */
 export function scenesIn(folder) {
   const found = [];
   for (const entry of readdirSync(folder, { withFileTypes: true })) {
     const path = join(folder, entry.name);
-    if (entry.isDirectory() && entry.name !== 'broken' && !entry.name.startsWith('server_')) found.push(...scenesIn(path));
+    if (entry.isDirectory() && entry.name !== 'broken' && entry.name !== 'stand_ins') found.push(...scenesIn(path));
     else if (entry.isFile() && /\.(glb|gltf)$/.test(entry.name)) found.push(path);
   }
   return found.sort();

@@ -31,7 +31,8 @@ Shared& shared() {
 
 void HostileClient::SetUpTestSuite() {
     // CTest runs each case as a process of its own, some at once.
-    const std::string folder = shared().folder = scratch_folder(fmt::format("hostile_client_{}", getpid()));
+    const std::string folder = shared().folder =
+        scratch_folder(fmt::format("stand_ins/hostile_client_{}", getpid()));
     std::string scene;
     while (scene.size() < (2 << 20)) scene += kSecret;
     write_file(folder + "/boiler.glb", scene);

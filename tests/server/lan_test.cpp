@@ -35,7 +35,7 @@ class SharedScene : public testing::Test {
 protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = scratch_folder(std::string("lan_") + test->name());
+        folder_ = scratch_folder(std::string("stand_ins/lan_") + test->name());
         write_file(folder_ + "/boiler.glb", kScene);
         options_ = {folder_ + "/boiler.glb", 0, false, true};
         options_.certificate_folder = folder_ + "/kept";

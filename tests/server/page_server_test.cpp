@@ -52,7 +52,7 @@ class ServedScene : public testing::Test {
 protected:
     void SetUp() override {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = scratch_folder(std::string("server_") + test->name());
+        folder_ = scratch_folder(std::string("stand_ins/server_") + test->name());
         for (int i = 0; i < 3000; ++i) scene_ += fmt::format("glTF bytes {} ", i);
         write_file(folder_ + "/boiler.glb", scene_);
         std::filesystem::create_directory(folder_ + "/boiler.d");

@@ -59,7 +59,7 @@ protected:
     }
 
     std::string folder_ = scratch_folder(
-        std::string("served_files_") + testing::UnitTest::GetInstance()->current_test_info()->name()
+        std::string("stand_ins/served_files_") + testing::UnitTest::GetInstance()->current_test_info()->name()
     );
     std::unique_ptr<PageServer> server_;
 };
