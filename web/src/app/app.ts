@@ -120,7 +120,14 @@ export class App implements ApiSource {
   state(): PageState {
     const { doc, step, session } = this.store.state;
     const panelPages = session === "none" ? null : this.panelPages().map((page) => page.id);
-    const own = { presentation: doc, step, deformationFactor: this.view.factor, session, panelPages };
+    const own = {
+      presentation: doc,
+      step,
+      deformationFactor: this.view.factor,
+      session,
+      panelPages,
+      headset: this.#vr.report(),
+    };
     return Object.assign({}, ...this.features.map((f) => f.report?.() ?? {}), own);
   }
 

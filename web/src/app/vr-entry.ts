@@ -8,6 +8,7 @@ export class VrEntry {
   answer: VrAnswer = { vr: "unknown", hint: "" };
   readonly #app: App;
   readonly #changed: () => void;
+  #stay: VrSession | null = null;
 
   constructor(app: App, changed: () => void) {
     this.#app = app;
@@ -33,14 +34,20 @@ export class VrEntry {
       await stage.renderer.xr.setSession(session);
       store.set({ session: "immersive-vr", problem: null });
       senses.watch(session);
-      new VrSession(this.#app, session, () => this.#left());
+      this.#stay = new VrSession(this.#app, session, () => this.#left());
     } catch (error) {
       const reason = error instanceof Error ? error.message : String(error);
       store.set({ problem: `The headset cannot be entered: ${reason}` });
     }
   }
 
+  /** The room of the headset; null at the desk. */
+  report() {
+    return this.#stay?.report() ?? null;
+  }
+
   #left(): void {
+    this.#stay = null;
     const { senses, stage, store } = this.#app;
     senses.watch(null);
     store.set({ session: "none" });

@@ -92,3 +92,9 @@ export function roundRect(
   context.fillStyle = fill;
   context.fill();
 }
+
+/** Where a board is and how large; null while nobody sees it. Metres, the matrix column by column, size in pixels. */
+export function reportOf({ mesh, width, height }: Board) {
+  const { width: metresWide, height: metresHigh } = mesh.geometry.parameters;
+  return mesh.visible ? { matrix: mesh.matrixWorld.toArray(), metresWide, metresHigh, width, height } : null;
+}

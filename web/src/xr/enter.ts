@@ -31,5 +31,10 @@ export async function askForVr(): Promise<VrAnswer> {
 
 export async function requestVr(): Promise<XRSession> {
   if (!navigator.xr) throw new Error("this browser has no WebXR");
-  return navigator.xr.requestSession("immersive-vr", { requiredFeatures: ["local-floor"] });
+  // Safari's headsets ask the person whether hands may be tracked, though their pinches come without.
+  const asks = /Version\/\S+ Safari/.test(navigator.userAgent);
+  return navigator.xr.requestSession("immersive-vr", {
+    requiredFeatures: ["local-floor"],
+    optionalFeatures: asks ? [] : ["hand-tracking"],
+  });
 }

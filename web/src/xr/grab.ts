@@ -54,6 +54,10 @@ export class Grab {
     return this.#hands.size;
   }
 
+  holds(hand: string): boolean {
+    return this.#hands.has(hand);
+  }
+
   take(hand: string, pose: GripPose, model: Matrix4): void {
     this.#hands.set(hand, copyPose(pose));
     this.#restart(model);

@@ -8,18 +8,22 @@ import { PAGE_HEIGHT, PANEL_WIDTH, type PanelExtras } from "./vr-panel";
 const ROW = 84;
 export const ROWS_A_PAGE = 9;
 const BUTTON = 132;
+const TABS_A_ROW = 7;
+const TAB = 80;
 
 /** "Results" and one tab a page, along the lower edge. */
 export function paintTabs(ink: Ink, pages: readonly PanelPage[], extras: PanelExtras): void {
   const tabs = [{ id: "results", title: "Results" }, ...pages];
-  const width = Math.min(190, (PANEL_WIDTH - 40) / tabs.length);
+  const rows = tabs.length > TABS_A_ROW ? 2 : 1;
+  const inRow = Math.ceil(tabs.length / rows);
+  const width = Math.min(190, (PANEL_WIDTH - 40) / inRow);
   tabs.forEach(({ id, title }, i) => {
     button(ink, {
       id: `tab:${id}`,
-      x: 20 + i * width,
-      y: PAGE_HEIGHT + 4,
+      x: 20 + (i % inRow) * width,
+      y: PAGE_HEIGHT + 4 + Math.floor(i / inRow) * TAB,
       width: width - 4,
-      height: ROW,
+      height: TAB - 6,
       text: title,
       on: extras.page === id,
       press: () => extras.open(id, 0),
@@ -34,7 +38,7 @@ export function paintPage(ink: Ink, page: PanelPage, extras: PanelExtras): void 
     const y = 84 + i * (ROW + 8);
     const room = PANEL_WIDTH - 60 - row.buttons.length * BUTTON;
     words(ink, row.text, 28, y + (row.detail ? 28 : ROW / 2), 29, C.ink, { bold: true, width: room });
-    if (row.detail) words(ink, row.detail, 28, y + 60, 23, C.soft, { width: room });
+    if (row.detail) words(ink, row.detail, 28, y + 61, 26, C.soft, { width: room });
     row.buttons.forEach((spec, k) => {
       button(ink, {
         ...spec,

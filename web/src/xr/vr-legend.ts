@@ -17,7 +17,7 @@ import { BOARD_FONT, BOARD_COLOURS as C, roundRect } from "./board";
 type Drawing = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
 export const LEGEND_SIZE = { width: 460, height: 860 } as const;
-export const CARD_SIZE = { width: 760, height: 380 } as const;
+export const CARD_SIZE = { width: 760, height: 420 } as const;
 
 function font(context: Drawing, size: number, weight = 400): void {
   context.font = `${weight} ${size}px ${BOARD_FONT}`;
@@ -57,7 +57,7 @@ export function paintVrLegend(context: Drawing, model: LegendModel | null): void
   paintBar(context, model.palette, bar.x, bar.y, bar.width, bar.height);
   const positions = labelPositions(model.effect.bands);
   const texts = axisTexts(positions.map((t) => valueAtPosition(t, shown.range)));
-  font(context, 34);
+  font(context, 42);
   positions.forEach((t, i) => {
     const y = bar.y + bar.height * (1 - t);
     context.fillStyle = C.soft;
@@ -92,29 +92,29 @@ export function paintVrLegend(context: Drawing, model: LegendModel | null): void
 export function paintVrCard(context: Drawing, model: CardModel): void {
   const { width } = CARD_SIZE;
   const rows = model.rows.slice(0, 5);
-  const height = Math.min(CARD_SIZE.height, 84 + rows.length * 56);
+  const height = Math.min(CARD_SIZE.height, 92 + rows.length * 62);
   roundRect(context, { x: 0, y: CARD_SIZE.height - height, width, height }, 24, C.panel);
   let y = CARD_SIZE.height - height + 42;
   for (const row of rows) {
     context.fillStyle = C.soft;
-    font(context, 31);
+    font(context, 35);
     context.fillText(row.label, 26, y, 330);
     context.fillStyle = row.alarm ? C.alarm : C.ink;
-    font(context, 40, 600);
+    font(context, 44, 600);
     context.textAlign = "right";
     const about = row.state === "interpolated" ? "~" : "";
     context.fillText(row.value === null ? "no value" : `${about}${numberText(row.value)}`, 600, y, 230);
-    font(context, 31);
+    font(context, 35);
     context.fillStyle = C.soft;
     context.fillText(row.value === null ? "" : unitText(row.unit), 616, y, 130);
-    y += 56;
+    y += 62;
   }
   context.fillStyle = C.soft;
-  font(context, 27);
+  font(context, 34);
   context.fillText(
     `node ${model.report.nodeId ?? "–"} · element ${model.report.elementId ?? "–"}`,
     26,
-    CARD_SIZE.height - 28,
+    CARD_SIZE.height - 32,
     width - 52,
   );
 }

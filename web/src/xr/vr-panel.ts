@@ -13,7 +13,7 @@ export const PANEL_WIDTH = 1024;
 export const PANEL_ROWS = 6;
 /** Without the row of tabs below. */
 export const PAGE_HEIGHT = 950;
-export const PANEL_HEIGHT = 1050;
+export const PANEL_HEIGHT = 1130;
 const NAME_WIDTH = 400;
 const CELL = 96;
 const ROW = 84;
@@ -44,7 +44,7 @@ export interface PanelExtras {
 function tableRow(ink: Ink, model: PanelModel, shown: Shown, y: number, actions: Actions): void {
   words(ink, shown.label, 28, y + 28, 29, C.ink, { bold: true, width: NAME_WIDTH - 44 });
   const range = `${numberText(shown.range.lo, 4)} … ${numberText(shown.range.hi, 4)} ${unitText(shown.unit)}`;
-  words(ink, range, 28, y + 60, 23, C.soft, { width: NAME_WIDTH - 44 });
+  words(ink, range, 28, y + 61, 26, C.soft, { width: NAME_WIDTH - 44 });
   COLUMNS.forEach(({ slot, word }, i) => {
     const on = drivenBy(model.state.doc, slot) === shown.key;
     const enabled = shown.result !== null && (slot !== "shape" || model.canShape(shown));
@@ -93,9 +93,9 @@ export function paintPanel(
 function paintResults(ink: Ink, model: PanelModel, actions: Actions, extras: PanelExtras): void {
   words(ink, "Result", 28, 38, 26, C.soft);
   COLUMNS.forEach(({ word }, i) => {
-    words(ink, word, NAME_WIDTH + (i + 0.5) * CELL, 38, 25, C.soft, { align: "center" });
+    words(ink, word, NAME_WIDTH + (i + 0.5) * CELL, 38, 26, C.soft, { align: "center" });
   });
-  words(ink, "Off", NAME_WIDTH + (COLUMNS.length + 0.5) * CELL, 38, 25, C.soft, { align: "center" });
+  words(ink, "Off", NAME_WIDTH + (COLUMNS.length + 0.5) * CELL, 38, 26, C.soft, { align: "center" });
   model.shown.slice(0, PANEL_ROWS).forEach((shown, i) => {
     tableRow(ink, model, shown, 66 + i * (ROW + 4), actions);
   });

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // One stay in the headset: pointers probe and press, grips move the model, boards show table, legend and numbers.
-import {
-  Color,
-  GridHelper,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  type Object3D,
-  Raycaster,
-  SphereGeometry,
-  Vector3,
-} from "three";
+import { Color, GridHelper, Matrix4, type Object3D, Raycaster, Vector3 } from "three";
 import type { App } from "../app/app";
-import { Board } from "./board";
+import { Board, reportOf } from "./board";
 import { Grab } from "./grab";
 import { onTable, placeBefore, type Stand, standOf, TABLE_SIZE } from "./room";
+import { VrButtons } from "./vr-buttons";
+import { VrDots } from "./vr-dots";
 import { CARD_SIZE, LEGEND_SIZE, paintVrCard, paintVrLegend } from "./vr-legend";
 import { VrMarkers } from "./vr-markers";
 import { PANEL_HEIGHT, PANEL_WIDTH, paintPanel } from "./vr-panel";
+import { VrPlanes } from "./vr-planes";
 import { type VrPointer, VrPointers } from "./vr-pointers";
+import { VrWalk } from "./vr-walk";
+import { vrWishes } from "./vr-wishes";
 
 /** Metres. */
 const NEAR = 0.05;
@@ -37,8 +32,11 @@ export class VrSession {
   readonly #grab = new Grab();
   readonly #panel = new Board(PANEL_WIDTH, PANEL_HEIGHT, 0.62);
   readonly #legend = new Board(LEGEND_SIZE.width, LEGEND_SIZE.height, 0.34);
-  readonly #card = new Board(CARD_SIZE.width, CARD_SIZE.height, 0.3);
-  readonly #dots = new Map<string, Mesh>();
+  readonly #card = new Board(CARD_SIZE.width, CARD_SIZE.height, 0.34);
+  readonly #walk: VrWalk;
+  readonly #planes: VrPlanes;
+  readonly #buttons: VrButtons;
+  readonly #dots: VrDots;
   readonly #removals: (() => void)[] = [];
   /** Stands still whatever the hands do with the model: something to hold on to for the eyes. */
   readonly #floor = new GridHelper(8, 16, 0x44525a, 0x323d44);
@@ -57,6 +55,10 @@ export class VrSession {
     stage.scene.add(this.#floor, this.#panel.mesh, this.#legend.mesh, this.#card.mesh);
     for (const board of [this.#panel, this.#legend, this.#card]) board.mesh.visible = false;
     this.#markers = new VrMarkers(stage.scene);
+    this.#dots = new VrDots(stage.scene);
+    this.#walk = new VrWalk(stage.renderer, stage.scene);
+    this.#planes = new VrPlanes(app, stage.scene);
+    this.#buttons = new VrButtons(vrWishes(app, this.#walk, this.#planes, this));
     this.#pointers = new VrPointers(stage.renderer, stage.scene, {
       connected: (pointer) => {
         app.probing.pointer(pointer.name, pointer.kind).actuator = pointer.actuator;
@@ -67,8 +69,9 @@ export class VrSession {
     });
     this.#removals.push(
       stage.onFrame((_seconds, frame) => this.#frame(frame)),
-      store.subscribe(() => {
+      store.subscribe((state, before) => {
         this.#boardsStale = true;
+        if (state.person.leftHanded !== before.person.leftHanded) this.#placeBoards();
       }),
       stage.keepRunning(),
     );
@@ -97,8 +100,9 @@ export class VrSession {
     probing.hold(pointer.name, pointer.kind, false);
     probing.move(pointer.name, pointer.kind, null);
     this.#grab.letGo(pointer.name, stage.holder.matrix);
-    const dot = this.#dots.get(pointer.name);
-    if (dot) dot.visible = false;
+    this.#planes.letGo(pointer.name);
+    this.#buttons.forget(pointer.name);
+    this.#dots.show(pointer.name, null);
   }
 
   #select(pointer: VrPointer, on: boolean): void {
@@ -109,8 +113,21 @@ export class VrSession {
       this.#panel.buttonAt(pressed.u, pressed.v)?.press();
       return;
     }
-    // What shakes is asked for anew: a gamepad may come later than its source.
+    if (on && this.#planes.take(pointer, this.#app.view.model.worldMatrix())) return;
+    if (!on && this.#planes.letGo(pointer.name)) return;
+    if (this.#pinchesAir(pointer, on)) {
+      this.#squeeze(pointer, on);
+      return;
+    }
     probing.hold(pointer.name, pointer.kind, on);
+  }
+
+  /** Hands have no grip: a pinch on nothing takes hold of the model. */
+  #pinchesAir(pointer: VrPointer, on: boolean): boolean {
+    const { view } = this.#app;
+    if (pointer.kind === "controller") return false;
+    if (!on) return this.#grab.holds(pointer.name);
+    return view.picker.ray(pointer.ray, view.model.worldMatrix()) === null;
   }
 
   #squeeze(pointer: VrPointer, on: boolean): void {
@@ -142,14 +159,18 @@ export class VrSession {
     const world = view.model.worldMatrix(scratchMatrix);
     view.model.fadeEdges(PIXEL_ANGLE * this.#distanceTo(world));
     let hover: string | null = null;
+    this.#planes.update(world);
+    const pointing = this.#app.store.state.person.leftHanded ? "left" : "right";
     for (const pointer of this.#pointers.rays()) {
+      this.#buttons.update(pointer, pointing);
+      if (this.#planes.drag(pointer, world)) continue;
       const board = this.#boardHit(pointer);
       const hit = view.picker.ray(pointer.ray, world);
       const onBoard = board !== null && (!hit || board.distance < hit.distance);
       if (onBoard) hover ??= this.#panel.buttonAt(board.u, board.v)?.id ?? null;
       probing.move(pointer.name, pointer.kind, onBoard ? null : hit);
       this.#pointers.showHit(pointer, onBoard ? board.distance : (hit?.distance ?? null));
-      this.#showDot(pointer.name, onBoard ? null : (hit?.world ?? null));
+      this.#dots.show(pointer.name, onBoard ? null : (hit?.world ?? null));
     }
     this.#paint(hover);
     this.#markers.update(this.#app.overlay.vrMarks(), scratchHead.setFromMatrixPosition(this.#head));
@@ -167,12 +188,50 @@ export class VrSession {
   #settle(): void {
     const stand = standOf(this.#head);
     this.#stand = stand;
-    const eye = new Vector3().setFromMatrixPosition(this.#head);
-    const hand = this.#app.store.state.person.leftHanded ? -1 : 1;
-    this.#placeBoard(this.#panel.mesh, placeBefore(stand, -0.74 * hand, 1.15, 0.95), eye);
-    this.#placeBoard(this.#legend.mesh, placeBefore(stand, 0.72 * hand, 1.12, 1.05), eye);
+    this.#placeBoards();
     this.putOnTable();
     this.#boardsStale = true;
+  }
+
+  /** Panel and legend to the sides of the person's place; the other way round for the left-handed. */
+  #placeBoards(): void {
+    const stand = this.#stand;
+    if (!stand) return;
+    const eye = new Vector3(stand.position.x, this.head.y, stand.position.z);
+    const hand = this.#app.store.state.person.leftHanded ? -1 : 1;
+    this.#placeBoard(this.#panel.mesh, placeBefore(stand, -0.63 * hand, 1.15, 0.98), eye);
+    this.#placeBoard(this.#legend.mesh, placeBefore(stand, 0.72 * hand, 1.12, 1.05), eye);
+  }
+
+  /** The middle of the eyes. */
+  get head(): Vector3 {
+    return new Vector3().setFromMatrixPosition(this.#head);
+  }
+
+  /** Everything is where it was at first: before the person, as they stand now. */
+  home(): void {
+    this.#stand = null;
+  }
+
+  nextPage(): void {
+    const ids = ["results", ...this.#app.panelPages().map((page) => page.id)];
+    this.#page = { page: ids[(ids.indexOf(this.#page.page) + 1) % ids.length] ?? "results", first: 0 };
+    this.#boardsStale = true;
+  }
+
+  /** What tests and scripts may know of the room. */
+  report() {
+    const panel = reportOf(this.#panel);
+    const buttons = this.#panel.buttons.map(({ press: _, ...at }) => at);
+    return {
+      head: { position: this.head.toArray(), yaw: standOf(this.#head).yaw },
+      page: this.#page.page,
+      panel: panel && { ...panel, buttons },
+      legend: reportOf(this.#legend),
+      card: reportOf(this.#card),
+      knobs: this.#planes.places,
+      model: this.#app.view.model.worldMatrix().toArray(),
+    };
   }
 
   #placeBoard(mesh: Object3D, at: Vector3, eye: Vector3): void {
@@ -204,17 +263,6 @@ export class VrSession {
   #distanceTo(world: Matrix4): number {
     const middle = this.#app.view.model.box.getCenter(new Vector3()).applyMatrix4(world);
     return Math.max(middle.distanceTo(scratchHead.setFromMatrixPosition(this.#head)), 0.1);
-  }
-
-  #showDot(name: string, at: Vector3 | null): void {
-    let dot = this.#dots.get(name);
-    if (!dot) {
-      dot = new Mesh(new SphereGeometry(0.006, 16, 12), new MeshBasicMaterial({ color: 0xffffff }));
-      this.#dots.set(name, dot);
-      this.#app.stage.scene.add(dot);
-    }
-    dot.visible = at !== null;
-    if (at) dot.position.copy(at);
   }
 
   #paint(hover: string | null): void {
@@ -275,13 +323,11 @@ export class VrSession {
     for (const remove of this.#removals) remove();
     this.#pointers.dispose();
     this.#markers.dispose();
+    this.#walk.dispose();
+    this.#planes.dispose();
     for (const board of [this.#panel, this.#legend, this.#card]) board.dispose();
-    for (const [name, dot] of this.#dots) {
-      dot.geometry.dispose();
-      (dot.material as MeshBasicMaterial).dispose();
-      dot.removeFromParent();
-      probing.remove(name);
-    }
+    for (const name of this.#dots.names) probing.remove(name);
+    this.#dots.dispose();
     this.#floor.removeFromParent();
     this.#floor.dispose();
     stage.holder.matrix.identity();

@@ -24,6 +24,12 @@ function emulateHeadset() {
   const device = new globalThis.IWER.XRDevice(globalThis.IWER.metaQuest3, { stereoEnabled: true });
   device.installRuntime({ forceInstall: true });
   device.position.set(0, 1.6, 0);
+  // The emulator takes the matrix where the standard hands it the transform.
+  const spaces = globalThis.XRReferenceSpace.prototype;
+  const offset = spaces.getOffsetReferenceSpace;
+  spaces.getOffsetReferenceSpace = function (transform) {
+    return offset.call(this, transform.matrix);
+  };
   globalThis.headset = device;
   globalThis.felt = [];
   for (const hand of ["left", "right"]) {

@@ -17,8 +17,10 @@ import { reviewTests } from "./review.mjs";
 import { serve } from "./server.mjs";
 import { shareTests } from "./share.mjs";
 import { timeTests } from "./time.mjs";
+import { touchTests } from "./touch.mjs";
 import { variantTests } from "./variants.mjs";
 import { vrTests } from "./vr.mjs";
+import { vrRowTests } from "./vr-rows.mjs";
 
 const LIMIT_SECONDS = 180;
 const root = fileURLToPath(new URL("../../", import.meta.url));
@@ -58,6 +60,8 @@ for (const { name, run, skip } of [
   ...shareTests,
   ...accessTests,
   ...vrTests,
+  ...vrRowTests,
+  ...touchTests,
   ...programTests,
   ...variantTests,
   ...reviewTests,

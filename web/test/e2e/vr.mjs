@@ -1,113 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page in an emulated headset: rays, values, pulses, grips, and silence when the person lets go or leaves.
 import assert from "node:assert/strict";
-import { FIRST_NODE_ID, tinyValues } from "../support/tiny-scene.ts";
-import { listen, openPage, until } from "./harness.mjs";
+import { listen, until } from "./harness.mjs";
 import { resultIdOf, valueAtNode } from "./oracle.mjs";
+import { aim, aimAtNode, button, enter, frames, pressPanel } from "./vr-hands.mjs";
 
-const SMALL = { width: 320, height: 180, headset: true };
 const probe = () => window.feelem.lastProbe();
-
-/** Waits for frames of the session, never for the clock: software rendering is slow. */
-async function frames(page, count) {
-  await page.evaluate(
-    (count) =>
-      new Promise((resolve) => {
-        let left = count;
-        const session = window.xrSession;
-        const step = () => {
-          left -= 1;
-          if (left <= 0) resolve();
-          else session.requestAnimationFrame(step);
-        };
-        session.requestAnimationFrame(step);
-      }),
-    count,
-  );
-}
-
-async function enter(browser, url, options = {}) {
-  const opened = await openPage(browser, url, { ...SMALL, ...options });
-  const { page } = opened;
-  await page.evaluate(() => {
-    const request = navigator.xr.requestSession.bind(navigator.xr);
-    navigator.xr.requestSession = async (...given) => {
-      window.xrSession = await request(...given);
-      return window.xrSession;
-    };
-  });
-  await page.evaluate(() => document.querySelector("button.vr").click());
-  await until(
-    page,
-    () => window.feelem.state().session,
-    (s) => s === "immersive-vr",
-    "the session",
-  );
-  await until(page, () => Boolean(window.xrSession), Boolean, "the session object");
-  await frames(page, 4);
-  return opened;
-}
-
-/** The tiny bar's node in the room: on its table, deformed by the factor the page says. */
-function nodeInRoom(x, y, z, factor, step = 1) {
-  const moved = tinyValues.displacement(x, step).map((d, i) => [x, y, z][i] + factor * d);
-  const metres = (p) => [p[0] / 1000, p[2] / 1000, -p[1] / 1000];
-  const centre = metres([60, 20, 15]);
-  const scale = 0.8 / 0.12;
-  return metres(moved).map((c, i) => scale * (c - centre[i]) + [0, 1, -1.2][i]);
-}
-
-/** Puts a controller at `from` so that its ray goes through `to`. */
-async function aim(page, hand, from, to) {
-  await page.evaluate(
-    ({ hand, from, to }) => {
-      const d = to.map((v, i) => v - from[i]);
-      const length = Math.hypot(...d);
-      const [x, y, z] = d.map((v) => v / length);
-      // The turn that takes (0,0,-1) to the direction.
-      const q = [y, -x, 0, 1 - z];
-      const size = Math.hypot(...q);
-      const controller = window.headset.controllers[hand];
-      controller.position.set(...from);
-      controller.quaternion.set(...q.map((v) => v / size));
-    },
-    { hand, from, to },
-  );
-  await frames(page, 3);
-}
-
-const button = (page, hand, name, value) =>
-  page.evaluate(({ hand, name, value }) => window.headset.controllers[hand].updateButtonValue(name, value), {
-    hand,
-    name,
-    value,
-  });
-
-const cells = [12, 4, 3];
-const nodeId = (i, j, k) => FIRST_NODE_ID + i + (cells[0] + 1) * (j + (cells[1] + 1) * k);
-const place = (i, j, k) => [i * 10, j * 10, k * 10];
-
-async function aimAtNode(page, hand, i, j, k) {
-  const { deformationFactor } = await page.evaluate(() => window.feelem.state());
-  const to = nodeInRoom(...place(i, j, k), deformationFactor);
-  await aim(page, hand, [to[0], to[1] + 0.35, to[2] + 0.5], to);
-  return nodeId(i, j, k);
-}
-
-/** A place of the panel, pixels from its upper left corner, in the room. */
-function panelPoint(px, py) {
-  // The panel stands 0.74 m to the left, 0.95 m ahead, 1.15 m high, and faces eyes at 1.6 m.
-  const centre = [-0.74, 1.15, -0.95];
-  const eye = [0, 1.6, 0];
-  const unit = (v) => v.map((c) => c / Math.hypot(...v));
-  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-  const normal = unit(eye.map((c, i) => c - centre[i]));
-  const right = unit(cross([0, 1, 0], normal));
-  const up = cross(normal, right);
-  const u = (px / 1024 - 0.5) * 0.62;
-  const v = (0.5 - py / 1050) * 0.62 * (1050 / 1024);
-  return centre.map((c, i) => c + u * right[i] + v * up[i]);
-}
 
 export const vrTests = [
   {
@@ -292,12 +190,7 @@ export const vrTests = [
     name: "vr_panel_assigns_a_result_to_another_sense",
     async run({ browser, url }) {
       const { page, context } = await enter(browser, url);
-      // Second row (U), first column (colour).
-      const target = panelPoint(400 + 48, 66 + 88 + 42);
-      await aim(page, "right", [0.1, 1.3, -0.1], target);
-      await button(page, "right", "trigger", 1);
-      await frames(page, 3);
-      await button(page, "right", "trigger", 0);
+      await pressPanel(page, "U:colour");
       const effect = () =>
         window.feelem.state().presentation.effects.find((e) => e.type === "colour")?.result;
       await until(page, effect, (key) => key === "U", "displacement as colour");
@@ -309,42 +202,26 @@ export const vrTests = [
     async run({ browser, serveTiny }) {
       const { url, close } = await serveTiny({ bars: 2, times: 2 });
       const { page, context, problems } = await enter(browser, url);
-      const press = async (px, py) => {
-        await aim(page, "right", [0.1, 1.3, -0.1], panelPoint(px, py));
-        await button(page, "right", "trigger", 1);
-        await frames(page, 3);
-        await button(page, "right", "trigger", 0);
-        await frames(page, 3);
-      };
       const state = () => window.feelem.state();
-      const { panelPages } = await page.evaluate(state);
-      const width = Math.min(190, 984 / (panelPages.length + 1));
-      const tab = (id) => press(20 + (panelPages.indexOf(id) + 1.5) * width, 996);
-      // Buttons stand from the right, 132 pixels each; rows are 92 apart from 84 on.
-      const cell = (row, fromRight) => press(1024 - 20 - (fromRight + 0.5) * 132, 84 + 42 + row * 92);
-      await tab("cuts");
-      await cell(0, 3);
+      const press = (id) => pressPanel(page, id);
+      await press("tab:cuts");
+      await press("cuts:x");
       await until(page, state, (s) => s.cuts[0]?.normal[0] === 1, "a plane across x");
-      await cell(2, 0);
+      await press("cuts:flip");
       await until(page, state, (s) => s.cuts[0].normal[0] === -1, "the other side");
-      await tab("parts");
-      await cell(1, 2);
+      await press("tab:parts");
+      const { headset } = await page.evaluate(state);
+      assert.equal(headset.page, "parts");
+      await press("parts:show:0");
       await until(page, state, (s) => s.hidden.join() === "0", "the first part hidden");
-      await cell(0, 0);
+      await press("parts:all");
       await until(page, state, (s) => s.hidden.length === 0, "all parts");
-      await tab("hot-spots");
-      await cell(0, 0);
-      await until(
-        page,
-        () => window.feelem.lastProbe()?.nodeId,
-        (id) => id > 0,
-        "the largest value marked",
-      );
-      await tab("listening");
-      const { person } = await page.evaluate(state);
-      await cell(2, 0);
-      await cell(3, 0);
-      await until(page, state, (s) => s.person.master !== person.master || s.guide, "volume or guide");
+      await press("tab:hot-spots");
+      await press("hot-spots:go:0");
+      await until(page, probe, (r) => r?.nodeId > 0, "the largest value marked");
+      await press("tab:listening");
+      await press("listening:guide");
+      await until(page, state, (s) => s.guide, "the guide");
       assert.deepEqual(problems, []);
       await context.close();
       await close();

@@ -171,18 +171,45 @@ export class Cuts implements Feature, CutActions {
     ];
   }
 
+  /** Moves a plane, as far as the model reaches. */
+  moveTo(index: number, offset: number): void {
+    const cut = this.#cuts[index];
+    if (!cut) return;
+    const { from, to } = this.reach(cut.normal);
+    this.change(index, { offset: Math.min(Math.max(offset, from), to) });
+  }
+
+  /** The first plane from here on; `offset` is counted from the scene's origin. */
+  carry(normal: CutState["normal"], offset: number): void {
+    const shift = new Vector3(...normal).dot(
+      corner.set(...(this.#app.view.scene.extras.origin ?? [0, 0, 0])),
+    );
+    this.#set([{ normal, offset: offset + shift, on: true }, ...this.#cuts.slice(1)]);
+  }
+
+  /** The middle of each plane that is on, in the scene's coordinates. */
+  knobs(): (Vector3 | null)[] {
+    const { view } = this.#app;
+    const origin = view.scene.extras.origin ?? [0, 0, 0];
+    const middle = view.model.box.getCenter(new Vector3());
+    return this.#cuts.map((cut) => {
+      if (!cut.on) return null;
+      const normal = new Vector3(...cut.normal);
+      const offset = cut.offset - normal.dot(corner.set(...origin));
+      return middle.clone().addScaledVector(normal, offset - normal.dot(middle));
+    });
+  }
+
   /** A knob at the middle of each plane, to drag it by. */
   handles(): Handle[] {
     const { stage, view, store } = this.#app;
     if (!store.state.open.includes(this.id)) return [];
     const matrix = view.model.worldMatrix();
-    const origin = view.scene.extras.origin ?? [0, 0, 0];
-    const middle = view.model.box.getCenter(new Vector3());
+    const knobs = this.knobs();
     return this.#cuts.flatMap((cut, index): Handle[] => {
-      if (!cut.on) return [];
+      const at = knobs[index];
+      if (!at) return [];
       const normal = new Vector3(...cut.normal);
-      const offset = cut.offset - normal.dot(corner.set(...origin));
-      const at = middle.clone().addScaledVector(normal, offset - normal.dot(middle));
       const size = 0.1 * view.diagonal;
       const here = stage.project(at.clone().applyMatrix4(matrix));
       const there = stage.project(at.clone().addScaledVector(normal, size).applyMatrix4(matrix));
@@ -190,10 +217,9 @@ export class Cuts implements Feature, CutActions {
       const [dx, dy] = [there.x - here.x, there.y - here.y];
       const square = dx * dx + dy * dy;
       const start = cut.offset;
-      const { from, to } = this.reach(cut.normal);
       const drag = (x: number, y: number) => {
         const moved = square > 1 ? (size * (x * dx + y * dy)) / square : 0;
-        this.change(index, { offset: Math.min(Math.max(start + moved, from), to) });
+        this.moveTo(index, start + moved);
       };
       return [{ id: `cut-${index}`, label: `drag plane ${index + 1}`, ...here, drag }];
     });

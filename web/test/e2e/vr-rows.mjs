@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of interactions, row by row: controllers' buttons and sticks, planes in the hand, hands that pinch, and
+// pinches that come and go.
+import assert from "node:assert/strict";
+import { listen, until } from "./harness.mjs";
+import { resultIdOf, valueAtNode } from "./oracle.mjs";
+import { aim, aimAtNode, button, enter, frames, nodeInRoom, panelButton, pressPanel } from "./vr-hands.mjs";
+
+const state = () => window.feelem.state();
+const probe = () => window.feelem.lastProbe();
+const near = (a, b, limit, what) =>
+  assert.ok(
+    a.every((v, i) => Math.abs(v - b[i]) <= limit),
+    `${what}: ${a} is not ${b}`,
+  );
+
+async function press(page, hand, name) {
+  await button(page, hand, name, 1);
+  await frames(page, 3);
+  await button(page, hand, name, 0);
+  await frames(page, 3);
+}
+
+async function stick(page, hand, x, y) {
+  await page.evaluate(({ hand, x, y }) => window.headset.controllers[hand].updateAxes("thumbstick", x, y), {
+    hand,
+    x,
+    y,
+  });
+  await frames(page, 3);
+}
+
+/** Pointing away from everything. */
+const away = (page, hand) => aim(page, hand, [hand === "left" ? -0.2 : 0.2, 1.2, -0.1], [0, 3, -3]);
+
+export const vrRowTests = [
+  {
+    name: "vr_buttons_note_home_step_result_and_mute",
+    async run({ browser, url }) {
+      const { page, context, problems } = await enter(browser, url);
+      const node = await aimAtNode(page, "right", 6, 2, 3);
+      await until(page, probe, (r) => r?.nodeId === node, `node ${node}`);
+      await press(page, "right", "a-button");
+      const { pins } = await until(page, state, (s) => s.pins.length === 1, "a note");
+      assert.equal(pins[0].node, node);
+      const { headset } = await page.evaluate(state);
+      await press(page, "right", "b-button");
+      await until(page, state, (s) => s.headset.page !== headset.page, "the next tab");
+      await press(page, "left", "y-button");
+      const seen = (s) => s.presentation.effects.find((e) => e.type === "colour").result;
+      await until(page, state, (s) => seen(s) === "U", "the next result");
+      await press(page, "left", "thumbstick");
+      await until(
+        page,
+        () => document.querySelector("[aria-label='sound']")?.ariaPressed ?? "gone",
+        Boolean,
+        "mute",
+      );
+      await stick(page, "left", 1, 0);
+      await until(page, state, (s) => s.step === 2, "the next step");
+      // Held to the side it is one step, not one a frame.
+      await frames(page, 6);
+      assert.equal((await page.evaluate(state)).step, 2);
+      await stick(page, "left", 0, 0);
+      await stick(page, "left", -1, 0);
+      await until(page, state, (s) => s.step === 1, "the step before");
+      await stick(page, "left", 0, 0);
+      // Carried away and home again.
+      await away(page, "left");
+      await button(page, "left", "squeeze", 1);
+      await frames(page, 3);
+      await aim(page, "left", [-0.5, 1.5, -0.4], [0, 3, -3]);
+      await button(page, "left", "squeeze", 0);
+      await frames(page, 3);
+      const carried = (await page.evaluate(state)).headset.model;
+      assert.ok(Math.hypot(...[12, 13, 14].map((i) => carried[i] - headset.model[i])) > 0.2);
+      await press(page, "right", "thumbstick");
+      near((await page.evaluate(state)).headset.model, headset.model, 1e-6, "home");
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+  {
+    name: "vr_stick_mutes_and_what_is_held_falls_silent",
+    async run({ browser, url }) {
+      const { page, context } = await enter(browser, url);
+      await aimAtNode(page, "right", 8, 2, 3);
+      await button(page, "right", "trigger", 1);
+      await until(page, listen, (h) => h.level > 0.002, "sound");
+      await press(page, "left", "thumbstick");
+      await until(page, listen, (h) => h.level < 1e-4, "silence while muted");
+      await press(page, "left", "thumbstick");
+      await until(page, listen, (h) => h.level > 0.002, "sound again");
+      await context.close();
+    },
+  },
+  {
+    name: "vr_person_turns_by_thirty_degrees_and_walks_where_the_ray_meets_the_floor",
+    async run({ browser, url }) {
+      const { page, context, problems } = await enter(browser, url);
+      const at = async () => (await page.evaluate(state)).headset;
+      const start = await at();
+      await stick(page, "right", 1, 0);
+      await frames(page, 8);
+      await stick(page, "right", 0, 0);
+      const turned = await at();
+      assert.ok(Math.abs(turned.head.yaw - start.head.yaw + Math.PI / 6) < 1e-3, `yaw ${turned.head.yaw}`);
+      near(turned.head.position, start.head.position, 1e-3, "turning does not move");
+      near(turned.model, start.model, 1e-6, "the model stays in the room");
+      await stick(page, "right", -1, 0);
+      await stick(page, "right", 0, 0);
+      assert.ok(Math.abs((await at()).head.yaw - start.head.yaw) < 1e-3);
+      // From 1.2 m high to a place of the floor 1 m to the right and half a metre behind.
+      await aim(page, "right", [0.2, 1.2, -0.1], [1, 0, 0.5]);
+      await stick(page, "right", 0, -1);
+      near((await at()).head.position, start.head.position, 1e-3, "aiming does not move");
+      await stick(page, "right", 0, 0);
+      const walked = await until(page, state, (s) => s.headset.head.position[0] > 0.9, "another place");
+      near(walked.headset.head.position, [1, 1.6, 0.5], 0.02, "where the ray met the floor");
+      near(walked.headset.model, start.model, 1e-6, "the model stays in the room");
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+  {
+    name: "vr_plane_is_dragged_by_its_knob_and_follows_the_other_hand",
+    async run({ browser, url }) {
+      const { page, context, problems } = await enter(browser, url);
+      await pressPanel(page, "tab:cuts");
+      await pressPanel(page, "cuts:x");
+      const before = await until(
+        page,
+        state,
+        (s) => s.headset.knobs.length === 1 && s.headset.knobs[0],
+        "a knob",
+      );
+      assert.equal(before.cuts[0].offset, 60);
+      const knob = before.headset.knobs[0];
+      // The bar is 0.8 m for 120 mm: 0.2 m to the left are 30 mm less.
+      const from = [knob[0], knob[1] + 0.35, knob[2] + 0.5];
+      await aim(page, "right", from, knob);
+      await button(page, "right", "trigger", 1);
+      await frames(page, 3);
+      await aim(page, "right", [from[0] - 0.2, from[1], from[2]], [knob[0] - 0.2, knob[1], knob[2]]);
+      await until(page, state, (s) => Math.abs(s.cuts[0].offset - 30) < 0.05, "30 mm less");
+      await button(page, "right", "trigger", 0);
+      await frames(page, 3);
+      await away(page, "right");
+      const dragged = await page.evaluate(state);
+      assert.ok(Math.abs(dragged.cuts[0].offset - 30) < 0.05, "it stays where it was let go");
+      assert.ok(
+        Math.abs(dragged.headset.knobs[0][0] - (knob[0] - 0.2)) < 1e-3,
+        "the knob is where the hand was",
+      );
+      // X: square to where the left hand points, through the hand.
+      const through = nodeInRoom(90, 20, 15, 0);
+      await aim(page, "left", through, [through[0] + 1, through[1], through[2]]);
+      await button(page, "left", "x-button", 1);
+      await until(page, state, (s) => Math.abs(s.cuts[0].offset - 90) < 0.05, "the plane in the hand");
+      near((await page.evaluate(state)).cuts[0].normal, [1, 0, 0], 1e-4, "square to the hand");
+      await button(page, "left", "x-button", 0);
+      await frames(page, 3);
+      await away(page, "left");
+      assert.ok(Math.abs((await page.evaluate(state)).cuts[0].offset - 90) < 0.05, "it stays");
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+  {
+    name: "vr_left_handed_mirrors_boards_and_buttons_in_the_middle_of_a_stay",
+    async run({ browser, url }) {
+      const { page, context, problems } = await enter(browser, url);
+      const x = (s) => [s.headset.panel.matrix[12], s.headset.legend.matrix[12]];
+      const before = x(await page.evaluate(state));
+      assert.ok(before[0] < -0.5 && before[1] > 0.5, `${before}`);
+      await pressPanel(page, "tab:listening");
+      await pressPanel(page, "listening:leftHanded");
+      const after = await until(page, state, (s) => s.person.leftHanded, "left-handed");
+      near(
+        x(after),
+        before.map((v) => -v),
+        1e-6,
+        "the boards have changed sides",
+      );
+      // The panel is pressed where it is now, and the left hand has the pointing hand's buttons.
+      await pressPanel(page, "tab:results", "left");
+      const node = await aimAtNode(page, "left", 6, 2, 3);
+      await until(page, probe, (r) => r?.nodeId === node && r.pointer === "left-controller", "the left ray");
+      await press(page, "left", "x-button");
+      const { pins } = await until(page, state, (s) => s.pins.length === 1, "a note");
+      assert.equal(pins[0].node, node);
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+  {
+    name: "vr_boards_are_within_sight_and_their_letters_large_enough",
+    async run({ browser, url }) {
+      const { page, context } = await enter(browser, url);
+      await aimAtNode(page, "right", 6, 2, 3);
+      const { headset } = await until(page, state, (s) => s.headset.card, "the card");
+      const eye = headset.head.position;
+      const degrees = (rad) => (180 * rad) / Math.PI;
+      for (const [name, smallest] of [
+        ["panel", 26],
+        ["legend", 27],
+        ["card", 34],
+      ]) {
+        const { matrix: m, metresWide, metresHigh, width } = headset[name];
+        const scale = Math.hypot(m[0], m[1], m[2]);
+        const distance = Math.hypot(...[12, 13, 14].map((i, k) => m[i] - eye[k]));
+        // Capital letters are 0.72 of the font's size high.
+        const high = (0.72 * smallest * metresWide * scale) / width;
+        const angle = degrees(2 * Math.atan(high / 2 / distance));
+        assert.ok(angle >= 0.5, `${name}: letters of ${angle.toFixed(2)} degrees`);
+        for (const [u, v] of [
+          [-0.5, 0.5],
+          [0.5, 0.5],
+          [-0.5, -0.5],
+          [0.5, -0.5],
+        ]) {
+          const at = [0, 1, 2].map(
+            (k) => m[k] * u * metresWide + m[4 + k] * v * metresHigh + m[12 + k] - eye[k],
+          );
+          // The narrower headsets show 45 to 50 degrees to each side.
+          const side = degrees(Math.atan2(Math.abs(at[0]), -at[2]));
+          assert.ok(side < 50, `${name}: a corner ${side.toFixed(1)} degrees to the side`);
+        }
+      }
+      await context.close();
+    },
+  },
+  {
+    name: "vr_hands_sense_by_pinch_press_the_panel_and_carry_the_model",
+    async run({ browser, url, scene }) {
+      const { page, context, problems } = await enter(browser, url);
+      await page.evaluate(() => {
+        window.headset.primaryInputMode = "hand";
+      });
+      await frames(page, 6);
+      const hand = async (side, from, to) => {
+        await page.evaluate(
+          ({ side, from, to }) => {
+            const d = to.map((v, i) => v - from[i]);
+            const [x, y, z] = d.map((v) => v / Math.hypot(...d));
+            const q = [y, -x, 0, 1 - z];
+            const size = Math.hypot(...q);
+            window.headset.hands[side].position.set(...from);
+            window.headset.hands[side].quaternion.set(...q.map((v) => v / size));
+          },
+          { side, from, to },
+        );
+        await frames(page, 4);
+      };
+      const pinch = async (side, on) => {
+        await page.evaluate(({ side, on }) => window.headset.hands[side].updatePinchValue(on), { side, on });
+        await frames(page, 4);
+      };
+      const { deformationFactor } = await page.evaluate(state);
+      const to = nodeInRoom(80, 20, 30, deformationFactor);
+      await hand("right", [to[0], to[1] + 0.35, to[2] + 0.5], to);
+      const seen = await until(page, probe, (r) => r?.pointer === "right-hand" && r.nodeId, "the hand's ray");
+      for (const entry of seen.results)
+        assert.equal(entry.nodeValue, valueAtNode(scene, resultIdOf(scene, entry), 1, seen.nodeId));
+      await pinch("right", 1);
+      const { hz } = await page.evaluate(probe);
+      await until(
+        page,
+        listen,
+        (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01,
+        `a tone of ${hz} Hz`,
+      );
+      const { tickRate } = await page.evaluate(probe);
+      assert.ok(tickRate > 0, "ticks stand in for pulses where nothing shakes");
+      await pinch("right", 0);
+      await until(page, listen, (h) => h.level < 1e-4, "silence");
+      assert.equal((await page.evaluate(() => window.feelem.pulses())).length, 0);
+      await hand("right", [0.1, 1.3, -0.1], await panelButton(page, "deform:true"));
+      await pinch("right", 1);
+      await pinch("right", 0);
+      await until(page, state, (s) => s.deformationFactor === 1, "true scale");
+      // A pinch on nothing carries the model, two scale it.
+      const origin = async () => (await page.evaluate(state)).headset.model;
+      await hand("right", [0.3, 1.2, -0.3], [0.3, 3, -3]);
+      await pinch("right", 1);
+      // The wrist gives way while the fingers close.
+      await frames(page, 12);
+      const start = await origin();
+      await hand("right", [0.5, 1.2, -0.3], [0.5, 3, -3]);
+      const carried = await origin();
+      near([carried[12] - start[12], carried[13] - start[13]], [0.2, 0], 0.01, "carried by 0.2 m");
+      await hand("left", [-0.1, 1.2, -0.3], [-0.1, 3, -3]);
+      await pinch("left", 1);
+      await hand("left", [-0.7, 1.2, -0.3], [-0.7, 3, -3]);
+      const scaled = await origin();
+      assert.ok(Math.abs(Math.hypot(...scaled.slice(0, 3)) / Math.hypot(...carried.slice(0, 3)) - 2) < 0.05);
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+];
