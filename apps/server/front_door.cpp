@@ -81,6 +81,11 @@ void FrontDoor::accept_loop() {
     sigaddset(&pipe, SIGPIPE);
     pthread_sigmask(SIG_BLOCK, &pipe, nullptr);
     while (!is_stopping_) {
+        if (is_crowded()) {  // Those sent away leave at once; until then newcomers wait outside.
+            sweep(false);
+            std::this_thread::sleep_for(1ms);
+            continue;
+        }
         pollfd asked{listener_, POLLIN, 0};
         if (poll(&asked, 1, 500) > 0) {
             const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
@@ -94,15 +99,15 @@ void FrontDoor::accept_loop() {
     }
 }
 
+bool FrontDoor::is_crowded() {
+    const std::lock_guard lock(mutex_);
+    return guests_.size() >= 2 * limits_.connections;
+}
+
 void FrontDoor::admit(int socket) {
     const std::lock_guard lock(mutex_);
     const auto staying = static_cast<std::size_t>(std::ranges::count(guests_, false, &Guest::leaving));
     if (staying >= limits_.connections) send_away_one();
-    // Those who leave do so at once; a crowd of them is a flood.
-    if (guests_.size() >= 2 * limits_.connections) {
-        close(socket);
-        return;
-    }
     Guest& guest = guests_.emplace_back();
     guest.address = other_address(socket);
     guest.since = Clock::now();

@@ -49,6 +49,7 @@ private:
         bool leaving = false;
     };
     void accept_loop();
+    bool is_crowded();
     void admit(int socket);
     void send_away_one();
     void sweep(bool all);

@@ -67,14 +67,14 @@ void HostileClient::good_client_is_answered() {
     const std::string answer = ask(port(), true, path("scene.glb"), {"GET", "Range: bytes=0-35\r\n"});
     EXPECT_EQ(status_of(answer), 206);
     EXPECT_EQ(body_of(answer), kSecret);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, 3s);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
 }
 
 void HostileClient::refused(const std::string& request, const std::vector<int>& statuses) {
     for (const bool tls : {true, false}) {
         Client client(port(), tls);
         client.send(request);
-        const std::string answer = client.receive(3s);
+        const std::string answer = client.receive(8s);
         EXPECT_THAT(statuses, testing::Contains(status_of(answer))) << request.substr(0, 200);
         EXPECT_THAT(answer, Not(HasSubstr("SECRET"))) << request.substr(0, 200);
         EXPECT_THAT(answer, Not(HasSubstr("boiler"))) << request.substr(0, 200);
