@@ -72,7 +72,7 @@ export async function openPage(
     offline,
     colorScheme: dark ? "dark" : "light",
   });
-  context.setDefaultTimeout(15000);
+  context.setDefaultTimeout(40000);
   const origin = new URL(url).origin;
   const foreign = [];
   const problems = [];
@@ -97,7 +97,7 @@ export async function openPage(
 }
 
 /** Waits until `read` in the page gives something that `accept` takes; returns it. */
-export async function until(page, read, accept, what, milliseconds = 15000) {
+export async function until(page, read, accept, what, milliseconds = 40000) {
   const end = Date.now() + milliseconds;
   let last;
   while (Date.now() < end) {

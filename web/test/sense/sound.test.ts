@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the sound engine puts out, rendered by Chromium offline and measured.
-import { existsSync } from "node:fs";
-import { type Browser, chromium, type Page } from "playwright-core";
-import { build } from "vite";
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import {
   defaultPitch,
@@ -14,10 +12,10 @@ import {
   tonePartials,
 } from "../../src/present";
 import type { SoundFrame } from "../../src/sense";
+import { canRender, type Renderer, startRenderer } from "./renderer";
 import { amplitudeAt, decibel, fundamental, highPass, onsets, part, peak, rms } from "./signal";
 import type { Script, Step } from "./sound-page";
 
-const executablePath = "/usr/bin/chromium";
 const unit = { lo: 0, hi: 1, scale: "linear" } as const;
 const toneFrame = (u: number): SoundFrame => toneOf(u, unit, defaultPitch);
 
@@ -36,46 +34,16 @@ function numbers(seed: number): () => number {
   };
 }
 
-describe.skipIf(!existsSync(executablePath))("sound engine", { timeout: 120_000 }, () => {
-  let browser: Browser;
+describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
   let page: Page;
 
+  let renderer: Renderer;
   beforeAll(async () => {
-    const bundle = await build({
-      configFile: false,
-      logLevel: "error",
-      build: {
-        write: false,
-        minify: false,
-        lib: { entry: new URL("./sound-page.ts", import.meta.url).pathname, formats: ["iife"], name: "page" },
-      },
-    });
-    const [first] = Array.isArray(bundle) ? bundle : [bundle];
-    if (!first || !("output" in first)) throw new Error("the page of the test was not built");
-    browser = await chromium.launch({
-      executablePath,
-      headless: true,
-      args: ["--no-sandbox", "--disable-quic"],
-    });
-    page = await browser.newPage();
-    // An init script is no gesture: what it starts stays silent until somebody touches the page.
-    await page.addInitScript({ content: first.output[0].code });
-    await page.goto("data:text/html,<title>sound</title>");
+    renderer = await startRenderer();
+    page = renderer.page;
   }, 120_000);
-  afterAll(async () => browser?.close());
-
-  async function render(script: Script): Promise<readonly [Float32Array, Float32Array]> {
-    const channels = await page.evaluate(
-      (s) => (globalThis as unknown as { render(script: unknown): Promise<string[]> }).render(s),
-      script,
-    );
-    const [left, right] = channels.map((text) => {
-      const bytes = Buffer.from(text, "base64");
-      return new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4).slice();
-    });
-    if (!left || !right) throw new Error("no sound came back");
-    return [left, right];
-  }
+  afterAll(async () => renderer?.close());
+  const render = (script: Script) => renderer.render(script);
   const loud = { master: 1, mono: true };
   const steady = (seconds: number, frame: SoundFrame, options = loud): Script => ({
     seconds,
