@@ -36,7 +36,9 @@ OutputKind output_kind(const std::string& path) {
     throw Error(
         Code::UnknownName,
         path,
-        fmt::format("\"{}\" is no suffix that can be written. Known are .glb, .gltf, .html, .ply and .vtu", suffix)
+        fmt::format(
+            "\"{}\" is no suffix that can be written. Known are .glb, .gltf, .html, .ply and .vtu", suffix
+        )
     );
 }
 

@@ -4,6 +4,7 @@ export type { Actions, ViewName } from "./actions";
 export { CALIBRATION_STEPS, type CalibrationStep, calibrationTemplate } from "./calibration-form";
 export { connectTemplate } from "./connect";
 export { axisOf, type CutActions, type CutDirection, cutListTemplate } from "./cut-list";
+export { deviceTemplate } from "./device-form";
 export { axisTexts, numberText, stepText, unitText, withUnit } from "./format";
 export { type Handle, handlesTemplate } from "./handles";
 export { type HistoryLine, type HistoryModel, historyTemplate } from "./history-plot";

@@ -184,4 +184,29 @@ export const listeningTests = [
       await context.close();
     },
   },
+  {
+    name: "device_says_what_it_can_do_measured_and_copied",
+    async run({ browser, url }) {
+      const { page, context, problems } = await openPage(browser, url);
+      await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+      const section = await unfold(page, "device");
+      await section.getByRole("button", { name: "Measure" }).click();
+      const { device } = await until(page, state, (s) => s.device !== null, "the measurement");
+      const read = (what) => new RegExp(`^${what}: (.*)$`, "m").exec(device)?.[1];
+      assert.equal(read("browser"), await page.evaluate(() => navigator.userAgent));
+      assert.match(read("graphics"), /SwiftShader/);
+      assert.equal(read("secure page"), "yes");
+      assert.match(read("sound"), /^(44100|48000) Hz/);
+      assert.ok(Number(/within ([\d.]+) ms/.exec(read("frames"))[1]) > 0);
+      await section.getByRole("button", { name: "Copy" }).click();
+      await until(
+        page,
+        () => navigator.clipboard.readText(),
+        (text) => text === device,
+        "the copy",
+      );
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
 ];

@@ -5,6 +5,7 @@ import { BeaconFeature } from "./beacon";
 import { Calibration } from "./calibration";
 import { Connect } from "./connect";
 import { Cuts } from "./cuts";
+import { Device } from "./device";
 import { Difference } from "./difference";
 import type { Feature } from "./feature";
 import { History } from "./history";
@@ -37,6 +38,7 @@ export function makeFeatures(app: App): readonly Feature[] {
     new Notes(app),
     new Save(app),
     new Connect(),
+    new Device(app),
     new Links(app),
     new Palette(app),
   ];
