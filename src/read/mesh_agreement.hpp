@@ -37,8 +37,8 @@ struct MeshMap {
     double farthest = 0;           ///< Of the nodes moved.
     std::int64_t farthest_id = 0;  ///< That node.
     Disagreement elements_only_other, elements_only_shown, elements_of_other_type, elements_on_other_nodes;
-    std::string types;              ///< Of the first element of another type: "quad4 here, hex8 there".
-    std::uint64_t thickened = 0;    ///< Of other types: shells or beams in one, solids round them in the other.
+    std::string types;            ///< Of the first element of another type: "quad4 here, hex8 there".
+    std::uint64_t thickened = 0;  ///< Of other types: shells or beams in one, solids round them in the other.
     bool is_part_for_part = false;  ///< Parts have the same indices and elements in both.
 };
 

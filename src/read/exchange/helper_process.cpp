@@ -135,7 +135,7 @@ std::string ask_helper(
     const std::uint64_t mib = bytes / kMiB + 1;
     std::vector<std::string> all{
         fmt::format("{}", 1024 + 400 * mib),  // MiB of address space
-        fmt::format("{}", 4 + 2 * mib)};     // seconds of processor
+        fmt::format("{}", 4 + 2 * mib)};      // seconds of processor
     all.insert(all.end(), arguments.begin(), arguments.end());
     bool too_much = false;
     std::string answer;
