@@ -233,6 +233,11 @@ TEST(EnsightCase, files_of_all_steps_are_named) {
     );
 }
 
+TEST(EnsightCase, blanks_of_every_kind_end) {
+    const EnsightCase all = read_ensight_case("type: \vensight\f gold \f\nmodel: \v 1\tbox.geo \v\n");
+    EXPECT_EQ(files_of(all).size(), 1U);
+}
+
 TEST(EnsightCase, more_files_than_any_real_case_has_are_refused) {
     std::string text = "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 box.geo\nVARIABLE\n";
     for (int i = 0; i < 100; ++i) text += fmt::format("scalar per node: 1 v{0} v{0}.****\n", i);

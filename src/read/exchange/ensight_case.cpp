@@ -2,6 +2,7 @@
 #include "read/exchange/ensight_case.hpp"
 
 #include "base/number.hpp"
+#include "read/text_lines.hpp"
 
 #include "feelem/error.hpp"
 
@@ -29,12 +30,7 @@ std::string_view next_line(std::string_view& text) {
 
 Words words_of(std::string_view line) {
     Words words;
-    while (!(line = trim(line)).empty()) {
-        std::size_t end = 0;
-        while (end < line.size() && std::isspace(static_cast<unsigned char>(line[end])) == 0) ++end;
-        words.push_back(line.substr(0, end));
-        line.remove_prefix(end);
-    }
+    for (auto word = take_word(line); !word.empty(); word = take_word(line)) words.push_back(word);
     return words;
 }
 
