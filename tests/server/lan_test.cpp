@@ -92,6 +92,14 @@ TEST_F(SharedScene, without_the_link_there_is_not_a_byte_and_all_paths_look_the_
     EXPECT_EQ(status_of(ask(server_->port(), false, "/scene.glb")), 403) << "nor on this machine";
 }
 
+TEST_F(SharedScene, idle_connections_give_way_long_before_patience_with_them_ends) {
+    std::vector<std::unique_ptr<Client>> idle;
+    for (int i = 0; i < 300; ++i) idle.push_back(std::make_unique<Client>(server_->port()));
+    EXPECT_EQ(body_of(ask(server_->port(), true, prefix_of(*server_) + "scene.glb")), kScene);
+    EXPECT_TRUE(idle.front()->is_closed_within(std::chrono::seconds(5))) << "the oldest goes first";
+    EXPECT_FALSE(idle.back()->is_closed_within(std::chrono::milliseconds(50)));
+}
+
 TEST_F(SharedScene, a_link_without_its_last_slash_is_led_on) {
     std::string path = prefix_of(*server_);
     path.pop_back();
