@@ -95,7 +95,9 @@ TEST_F(SharedScene, without_the_link_there_is_not_a_byte_and_all_paths_look_the_
 TEST_F(SharedScene, idle_connections_give_way_long_before_patience_with_them_ends) {
     std::vector<std::unique_ptr<Client>> idle;
     for (int i = 0; i < 300; ++i) idle.push_back(std::make_unique<Client>(server_->port()));
+    const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(body_of(ask(server_->port(), true, prefix_of(*server_) + "scene.glb")), kScene);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, options_.limits.idle - std::chrono::seconds(5));
     EXPECT_TRUE(idle.front()->is_closed_within(std::chrono::seconds(5))) << "the oldest goes first";
     EXPECT_FALSE(idle.back()->is_closed_within(std::chrono::milliseconds(50)));
 }
