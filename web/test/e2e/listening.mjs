@@ -195,6 +195,10 @@ export const listeningTests = [
       const read = (what) => new RegExp(`^${what}: (.*)$`, "m").exec(device)?.[1];
       assert.equal(read("browser"), await page.evaluate(() => navigator.userAgent));
       assert.match(read("graphics"), /SwiftShader/);
+      const again = await openPage(browser, `${url}#diag`, { smooth: true });
+      await until(again.page, state, (s) => s.device !== null, "the measurement by address");
+      assert.deepEqual(again.problems, []);
+      await again.context.close();
       assert.equal(read("secure page"), "yes");
       assert.match(read("sound"), /^(44100|48000) Hz/);
       assert.ok(Number(/within ([\d.]+) ms/.exec(read("frames"))[1]) > 0);

@@ -14,11 +14,14 @@ export class Device implements Feature {
 
   constructor(app: App) {
     this.#app = app;
-    if (location.hash === "#diag") {
-      const { open } = app.store.state;
-      app.store.set({ open: [...open, this.id] });
-      void this.measure();
-    }
+    // Once the page stands: links take the address for themselves.
+    if (location.hash === "#diag") queueMicrotask(() => this.#unfold());
+  }
+
+  #unfold(): void {
+    const { open } = this.#app.store.state;
+    this.#app.store.set({ open: [...open, this.id] });
+    void this.measure();
   }
 
   async measure(): Promise<void> {
