@@ -223,10 +223,10 @@ export const lookTests = [
       await page.mouse.down();
       await page.mouse.move(kx - 40, ky, { steps: 4 });
       await page.mouse.up();
-      const dragged = offset(await page.evaluate(state));
-      assert.ok(dragged < 85 && dragged > 20, `dragged to ${dragged}`);
-      const moved = await page.locator("[data-handle='cut-0']").boundingBox();
-      assert.ok(Math.abs(knob.x - moved.x - 40) < 2, "the knob follows the hand");
+      // The plane and its knob follow with the next picture.
+      await until(page, state, (s) => offset(s) < 85 && offset(s) > 20, "the plane dragged");
+      const left = () => document.querySelector("[data-handle='cut-0']").getBoundingClientRect().x;
+      await until(page, left, (x) => Math.abs(knob.x - x - 40) < 2, "the knob that follows the hand");
       await section.getByLabel("normal of plane 1").fill("0 3 4");
       await page.keyboard.press("Enter");
       const { cuts } = await page.evaluate(state);
