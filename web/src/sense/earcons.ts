@@ -33,21 +33,23 @@ function beep(
   level: number,
 ): void {
   const edge = Math.min(0.01, seconds / 3);
+  // Browsers move curves of the past to now, where rise and fall would overlap: a late beep comes a little later.
+  const at = start < context.currentTime ? context.currentTime + 0.005 : start;
   const tone = new OscillatorNode(context, { frequency: hz });
   const gain = new GainNode(context, { gain: 0 });
   gain.gain.setValueCurveAtTime(
     rise.map((v) => v * level),
-    start,
+    at,
     edge,
   );
   gain.gain.setValueCurveAtTime(
     fall.map((v) => v * level),
-    start + seconds - edge,
+    at + seconds - edge,
     edge,
   );
   tone.connect(gain).connect(output);
-  tone.start(start);
-  tone.stop(start + seconds);
+  tone.start(at);
+  tone.stop(at + seconds);
 }
 
 function beeps(weight: number, level: number, seconds: number, gap: number, ...pitches: number[]): Earcon {
