@@ -20,10 +20,7 @@ export interface Earcon {
 
 const fromDecibel = (decibel: number) => 10 ** (decibel / 20);
 
-/** A raised cosine from 0 to 1. */
-const rise = Float32Array.from({ length: 33 }, (_, i) => 0.5 - 0.5 * Math.cos((Math.PI * i) / 32));
-const fall = rise.slice().reverse();
-
+/** A tone with raised-cosine edges. */
 function beep(
   context: BaseAudioContext,
   output: AudioNode,
@@ -33,23 +30,18 @@ function beep(
   level: number,
 ): void {
   const edge = Math.min(0.01, seconds / 3);
-  // Browsers move curves of the past to now, where rise and fall would overlap: a late beep comes a little later.
-  const at = start < context.currentTime ? context.currentTime + 0.005 : start;
   const tone = new OscillatorNode(context, { frequency: hz });
   const gain = new GainNode(context, { gain: 0 });
-  gain.gain.setValueCurveAtTime(
-    rise.map((v) => v * level),
-    at,
-    edge,
-  );
-  gain.gain.setValueCurveAtTime(
-    fall.map((v) => v * level),
-    at + seconds - edge,
-    edge,
-  );
+  // One curve from end to end: browsers move curves of the past to now, where two of them would overlap and throw.
+  const count = Math.round((32 * seconds) / edge);
+  const curve = Float32Array.from({ length: count + 1 }, (_, i) => {
+    const part = Math.min(1, (Math.min(i, count - i) * seconds) / (count * edge));
+    return level * (0.5 - 0.5 * Math.cos(Math.PI * part));
+  });
+  gain.gain.setValueCurveAtTime(curve, start, seconds);
   tone.connect(gain).connect(output);
-  tone.start(at);
-  tone.stop(at + seconds);
+  tone.start(start);
+  tone.stop(start + seconds);
 }
 
 function beeps(weight: number, level: number, seconds: number, gap: number, ...pitches: number[]): Earcon {
