@@ -3,6 +3,7 @@
 // and the boiler.
 #include "read_gmsh/msh_writer.hpp"
 #include "support/exchange_checks.hpp"
+#include "support/opened_model.hpp"
 #include "support/paths.hpp"
 
 #include "feelem/error.hpp"
@@ -21,27 +22,15 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-struct Opened {
-    Diagnostics diagnostics;
-    std::unique_ptr<ModelSource> model;
-};
-
-std::unique_ptr<Opened> open_text(const std::string& text) {
-    auto opened = std::make_unique<Opened>();
-    opened->model = open_model(std::vector<NamedBytes>{{"test.msh", text}}, {}, opened->diagnostics);
-    return opened;
+std::unique_ptr<test::OpenedModel> open_text(const std::string& text) {
+    return test::open_bytes({{"test.msh", text}});
 }
 
 Error error_of(const std::string& text) {
-    try {
-        open_text(text);
-    } catch (const Error& error) {
-        return error;
-    }
-    return Error(Code::BadScene, "", "no error");
+    return test::error_of({{"test.msh", text}});
 }
 
-std::unique_ptr<Opened> open_box() {
+std::unique_ptr<test::OpenedModel> open_box() {
     return open_text(test::read_file(test::project_file("tests/data/gmsh/box.msh")));
 }
 

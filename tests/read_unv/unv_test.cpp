@@ -3,6 +3,7 @@
 #include "read/read_format.hpp"
 #include "support/exchange_checks.hpp"
 #include "support/meshes.hpp"
+#include "support/opened_model.hpp"
 #include "support/paths.hpp"
 
 #include "feelem/error.hpp"
@@ -21,28 +22,16 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-struct Opened {
-    Diagnostics diagnostics;
-    std::unique_ptr<ModelSource> model;
-};
-
-std::unique_ptr<Opened> open_text(const std::string& text) {
-    auto opened = std::make_unique<Opened>();
-    opened->model = open_model(std::vector<NamedBytes>{{"test.unv", text}}, {}, opened->diagnostics);
-    return opened;
+std::unique_ptr<test::OpenedModel> open_text(const std::string& text) {
+    return test::open_bytes({{"test.unv", text}});
 }
 
-std::unique_ptr<Opened> open_plate() {
+std::unique_ptr<test::OpenedModel> open_plate() {
     return open_text(test::read_file(test::project_file("tests/data/unv/plate.unv")));
 }
 
 Error error_of(const std::string& text) {
-    try {
-        open_text(text);
-    } catch (const Error& error) {
-        return error;
-    }
-    return Error(Code::BadScene, "", "no error");
+    return test::error_of({{"test.unv", text}});
 }
 
 std::string dataset(int number, const std::string& records) {

@@ -3,6 +3,7 @@
 // Exodus and d3plot files against their right answers, and small files of each further kind.
 #include "support/exchange_checks.hpp"
 #include "support/meshes.hpp"
+#include "support/opened_model.hpp"
 #include "support/paths.hpp"
 
 #include "feelem/error.hpp"
@@ -24,34 +25,11 @@ namespace feelem {
 namespace {
 
 using nlohmann::json;
+using test::error_of;
+using test::open_bytes;
+using test::open_path;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-struct Opened {
-    Diagnostics diagnostics;
-    std::unique_ptr<ModelSource> model;
-};
-
-std::unique_ptr<Opened> open_path(const std::string& path) {
-    auto opened = std::make_unique<Opened>();
-    opened->model = open_model(std::vector<std::string>{path}, {}, opened->diagnostics);
-    return opened;
-}
-
-std::unique_ptr<Opened> open_bytes(std::vector<NamedBytes> files) {
-    auto opened = std::make_unique<Opened>();
-    opened->model = open_model(std::move(files), {}, opened->diagnostics);
-    return opened;
-}
-
-Error error_of(std::vector<NamedBytes> files) {
-    try {
-        open_bytes(std::move(files));
-    } catch (const Error& error) {
-        return error;
-    }
-    return Error(Code::BadScene, "", "no error");
-}
 
 constexpr const char* kWedge = R"(# vtk DataFile Version 3.0
 one wedge, its triangle 0 1 2 facing away from 3 4 5

@@ -119,26 +119,21 @@ private:
     }
 
     /// The longest rows of a node or element say which steps there are: calls each(step, row) for new ones.
-    template <class Each>
+    template <class Group, class Each>
     void add_sorted(
-        std::set<StepKey>& steps,
-        std::size_t& longest,
-        const Table& table,
-        const Ident& ident,
-        std::size_t record,
-        const Each& each
+        Group& group, const Table& table, const Ident& ident, std::size_t record, const Each& each
     ) {
         constexpr std::size_t kMostSteps = 100000;
-        if (layout_.record_bytes(record) <= longest) return;
-        longest = layout_.record_bytes(record);
+        if (layout_.record_bytes(record) <= group.longest) return;
+        group.longest = layout_.record_bytes(record);
         const Words words = record_words(input_, layout_, record, scratch_);
         for (std::size_t at = 0; at + ident.row_words <= words.count(); at += ident.row_words) {
             const StepKey step = step_of_row(ident, words.part(at, ident.row_words));
-            if (steps.size() >= kMostSteps) {
+            if (group.steps.size() >= kMostSteps) {
                 report_unused(table.name + " has more steps than Feelem takes");
                 return;
             }
-            if (steps.insert(step).second) each(step, at / ident.row_words);
+            if (group.steps.insert(step).second) each(step, at / ident.row_words);
         }
     }
 
@@ -146,17 +141,10 @@ private:
         NodeGroup& group = by_node_[{ident.subcase, ident.approach, ident.table_code, ident.row_words}];
         if (group.records == nullptr) group.records = std::make_shared<std::vector<SortedRecord>>();
         group.records->push_back({ident.integer5 / 10, record});
-        add_sorted(
-            group.steps,
-            group.longest,
-            table,
-            ident,
-            record,
-            [&](const StepKey& step, std::size_t row) {
-                steps_.add(step, step.value, texts);
-                contents_.nodal.push_back({ident, step, table.name, 0, group.records, row});
-            }
-        );
+        add_sorted(group, table, ident, record, [&](const StepKey& step, std::size_t row) {
+            steps_.add(step, step.value, texts);
+            contents_.nodal.push_back({ident, step, table.name, 0, group.records, row});
+        });
     }
 
     /// Heat transfer runs list everything twice, by step and by node: the first way is quicker to read.
@@ -210,18 +198,11 @@ private:
             group.records->ident = ident;
         }
         group.records->records.push_back({ident.integer5 / 10, record});
-        add_sorted(
-            group.steps,
-            group.longest,
-            table,
-            ident,
-            record,
-            [&](const StepKey& step, std::size_t row) {
-                block.step = step;
-                steps_.add(step, step.value, texts);
-                elements_.add(block, {layout, 0, group.records, row});
-            }
-        );
+        add_sorted(group, table, ident, record, [&](const StepKey& step, std::size_t row) {
+            block.step = step;
+            steps_.add(step, step.value, texts);
+            elements_.add(block, {layout, 0, group.records, row});
+        });
     }
 
     /// The plies of the first block of a type: those after it in its subcase have the same.
