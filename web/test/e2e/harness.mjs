@@ -108,6 +108,13 @@ export async function until(page, read, accept, what, milliseconds = 40000) {
   throw new Error(`${what} did not come; last seen: ${JSON.stringify(last)?.slice(0, 400)}`);
 }
 
+/** Presses Enter VR and waits for the emulated headset's session. */
+export async function enterHeadset(page) {
+  await page.evaluate(() => document.querySelector("button.vr").click());
+  const session = () => window.feelem.state().session;
+  await until(page, session, (s) => s === "immersive-vr", "the session");
+}
+
 /** Loudest partial of what sounds now, and its level. Runs in the page. */
 export function listen() {
   const tap = globalThis.soundTap;

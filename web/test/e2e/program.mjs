@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { findProgram, ROOT, whyNoScene } from "./binary.mjs";
-import { listen, openPage, until } from "./harness.mjs";
+import { enterHeadset, listen, openPage, until } from "./harness.mjs";
 
 export const BOILER = join(ROOT, "examples/boiler");
 export const whyNot = whyNoScene("examples/boiler/boiler.frd");
@@ -103,13 +103,7 @@ export const programTests = [
           `a tone of ${hz} Hz`,
         );
         await page.mouse.up();
-        await page.evaluate(() => document.querySelector("button.vr").click());
-        await until(
-          page,
-          () => window.feelem.state().session,
-          (s) => s === "immersive-vr",
-          "the session",
-        );
+        await enterHeadset(page);
         await page.evaluate(() => {
           window.headset.controllers.right.position.set(0.05, 1.1, -0.2);
         });

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { findProgram } from "./binary.mjs";
-import { listen, openPage, until } from "./harness.mjs";
+import { enterHeadset, listen, openPage, until } from "./harness.mjs";
 import { BOILER, BOILER_OPTIONS, viewBoiler, whyNot } from "./program.mjs";
 
 const probe = () => window.feelem.lastProbe();
@@ -102,9 +102,7 @@ export const reviewTests = [
         const heard = (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01;
         await until(page, listen, heard, `a tone of ${hz} Hz`);
         await page.mouse.up();
-        await page.evaluate(() => document.querySelector("button.vr").click());
-        const session = () => window.feelem.state().session;
-        await until(page, session, (s) => s === "immersive-vr", "the session");
+        await enterHeadset(page);
         await page.evaluate(() => {
           window.headset.controllers.right.position.set(0.05, 1.1, -0.2);
         });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entering the emulated headset, and hands that point and press there.
 import { FIRST_NODE_ID, tinyValues } from "../support/tiny-scene.ts";
-import { openPage, until } from "./harness.mjs";
+import { enterHeadset, openPage, until } from "./harness.mjs";
 
 const SMALL = { width: 320, height: 180, headset: true };
 
@@ -33,13 +33,7 @@ export async function enter(browser, url, options = {}) {
       return window.xrSession;
     };
   });
-  await page.evaluate(() => document.querySelector("button.vr").click());
-  await until(
-    page,
-    () => window.feelem.state().session,
-    (s) => s === "immersive-vr",
-    "the session",
-  );
+  await enterHeadset(page);
   await until(page, () => Boolean(window.xrSession), Boolean, "the session object");
   await frames(page, 4);
   return opened;
