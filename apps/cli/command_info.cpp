@@ -38,6 +38,20 @@ void print_inputs(const ModelReport& report) {
     }
 }
 
+/// The first sets by name; decks may have thousands.
+void print_sets(const char* kind, const std::vector<std::pair<std::string, std::uint64_t>>& sets) {
+    if (sets.empty()) return;
+    constexpr std::size_t kMostNames = 8;
+    const std::vector first(
+        sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(std::min(sets.size(), kMostNames))
+    );
+    std::string text;
+    for (const auto& [name, count] : first)
+        text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", name, grouped(count));
+    if (sets.size() > kMostNames) text += fmt::format(" and {} more", sets.size() - kMostNames);
+    fmt::print("Sets     {} {}{}: {}\n", grouped(sets.size()), kind, sets.size() == 1 ? "" : "s", text);
+}
+
 void print_model(const ModelReport& report) {
     const std::string unit = report.length_unit ? report.length_unit->name : "";
     fmt::print("Nodes    {}\n", grouped(report.nodes));
@@ -51,6 +65,8 @@ void print_model(const ModelReport& report) {
     if (report.parts.size() > kMostParts) {
         fmt::print("         and {} parts more\n", report.parts.size() - kMostParts);
     }
+    print_sets("node set", report.node_sets);
+    print_sets("element set", report.element_sets);
     if (report.bounds) {
         const auto& [low, high] = *report.bounds;
         fmt::print(

@@ -85,6 +85,8 @@ struct ModelReport {
     std::vector<InputRecord> inputs;
     std::uint64_t nodes = 0, elements = 0;  ///< Elements include those without a surface.
     std::vector<std::pair<std::string, std::uint64_t>> elements_by_type, skipped_elements, parts;
+    std::vector<std::pair<std::string, std::uint64_t>> node_sets,
+        element_sets;                             ///< Name and size, in file order.
     std::optional<std::array<Point3, 2>> bounds;  ///< Of drawn elements.
     std::optional<LengthUnit> length_unit;
     SkinMethod skin_method = SkinMethod::Exact;

@@ -49,6 +49,10 @@ void describe_mesh(const Mesh& mesh, ModelReport& report) {
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
         report.parts.emplace_back(mesh.parts[i].name, by_part[i]);
     }
+    for (const NodeSet& set : mesh.node_sets) report.node_sets.emplace_back(set.name, set.nodes.size());
+    for (const ElementSet& set : mesh.element_sets) {
+        report.element_sets.emplace_back(set.name, set.elements.size());
+    }
     report.bounds = bounds_of_elements(mesh);
     report.length_unit = mesh.length_unit;
 }

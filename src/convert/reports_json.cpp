@@ -57,6 +57,13 @@ Json counts(const std::vector<std::pair<std::string, std::uint64_t>>& rows) {
     return json;
 }
 
+/// A list, since two sets may have the same name.
+Json sets(const std::vector<std::pair<std::string, std::uint64_t>>& rows, const char* members) {
+    Json json = Json::array();
+    for (const auto& [name, count] : rows) json.push_back({{"name", name}, {members, count}});
+    return json;
+}
+
 Json point(const Point3& p) {
     return Json::array({number(p[0]), number(p[1]), number(p[2])});
 }
@@ -68,6 +75,8 @@ Json model_json(const ModelReport& report) {
         {"elements_by_type", counts(report.elements_by_type)},
         {"skipped_elements", counts(report.skipped_elements)},
         {"parts", Json::array()},
+        {"node_sets", sets(report.node_sets, "nodes")},
+        {"element_sets", sets(report.element_sets, "elements")},
         {"bounds", nullptr},
         {"length_unit", nullptr}};
     for (const auto& [name, elements] : report.parts) {
