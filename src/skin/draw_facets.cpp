@@ -303,6 +303,28 @@ void measure(Surface& surface) {
     report.triangles = surface.triangles.size();
 }
 
+/// As much as is known before drawing: growing would hold the arrays twice.
+void reserve(
+    const FacetsToDraw& drawn, const SmoothGroups& groups, const EdgeTable& edges, Surface& surface
+) {
+    std::size_t quads = 0, triangles = 0;
+    for (const Outline& facet : drawn.facets) {
+        quads += facet.count == 4 ? 1U : 0U;
+        triangles += pattern_of(facet).size();
+    }
+    const std::size_t vertices = groups.normals.size() + quads;
+    surface.positions.reserve(vertices);
+    surface.normals.reserve(vertices);
+    surface.vertex_node.reserve(vertices);
+    if (surface.domain == Domain::ElementNode) surface.vertex_element.reserve(vertices);
+    surface.triangles.reserve(triangles);
+    surface.triangle_element.reserve(triangles);
+    surface.edges.reserve(edges.first.size());
+    surface.blends.reserve(quads);
+    surface.blend_sources.reserve(quads * 4);
+    surface.blend_weights.reserve(quads * 4);
+}
+
 }  // namespace
 
 void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, const DrawOptions& options, Surface& surface) {
@@ -311,6 +333,7 @@ void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, const DrawOptions&
     const SmoothGroups groups =
         find_smooth_groups(drawn.facets, drawn.piece_first, edges, mesh.coordinates, options.crease_angle);
     const std::vector<bool> draws = drawing_sides(drawn, edges);
+    reserve(drawn, groups, edges, surface);
     Drawer drawer(mesh, drawn, groups, options.pieces, surface);
     const auto size = [](const auto& values) { return static_cast<std::uint32_t>(values.size()); };
     for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {

@@ -13,6 +13,7 @@
 #include "skin/facet_hash.hpp"
 #include "skin/facet_match.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <utility>
@@ -76,22 +77,22 @@ private:
 
 /// Adds the facets of elements [first, last) at their smallest corners; returns how many collapse. `kShared`:
 /// other threads add there too.
-template <bool kShared>
+template <bool kShared, class Facets>
 std::uint64_t add_hashes(
+    const Facets& facets,
     const SolidBlock& solids,
     const std::vector<bool>& set_aside,
-    std::size_t first,
-    std::size_t last,
+    std::array<std::size_t, 2> range,
     std::uint64_t* sums
 ) {
     std::uint64_t collapsed = 0;
-    const ElementType type = solids.block->type;
-    for (std::size_t i = first; i < last; ++i) {
+    const std::size_t width = solids.row->node_count;
+    const NodeIndex* nodes = solids.block->nodes.data() + range[0] * width;
+    for (std::size_t i = range[0]; i < range[1]; ++i, nodes += width) {
         if (is_set_aside(set_aside, solids, i)) continue;
-        facet_hash::for_each(type, solids.nodes(i), [&](std::size_t, FacetHash hash) {
-            if (hash.value == 0) {
-                ++collapsed;
-            } else if constexpr (kShared) {
+        facets.visit(std::span(nodes, width), [&](std::size_t, FacetHash hash) {
+            collapsed += hash.value == 0 ? 1U : 0U;  // Adding 0 does no harm.
+            if constexpr (kShared) {
                 std::atomic_ref(sums[hash.lowest]).fetch_add(hash.value, std::memory_order_relaxed);
             } else {
                 sums[hash.lowest] += hash.value;
@@ -117,12 +118,36 @@ NodeMarks nodes_with_a_rest(
             if (is_set_aside(set_aside, solids, i)) found.of_set_aside += solids.row->facet_count;
         }
         parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
-            const auto add = is_shared ? add_hashes<true> : add_hashes<false>;
-            collapsed.fetch_add(add(solids, set_aside, first, last, sums.data()), std::memory_order_relaxed);
+            facet_hash::with_facets_of(solids.block->type, [&](const auto& facets) {
+                const std::array range{first, last};
+                collapsed += is_shared ? add_hashes<true>(facets, solids, set_aside, range, sums.data())
+                                       : add_hashes<false>(facets, solids, set_aside, range, sums.data());
+            });
         });
     }
     found.collapsed = collapsed;
     return NodeMarks(sums);
+}
+
+template <class Facets>
+void add_candidates(
+    const Facets& facets,
+    const NodeMarks& marks,
+    const SolidBlock& solids,
+    const std::vector<bool>& set_aside,
+    std::array<std::size_t, 2> range,
+    std::vector<FacetCandidate>& found
+) {
+    const auto rows = facets_of(solids.block->type);
+    for (std::size_t i = range[0]; i < range[1]; ++i) {
+        const auto nodes = solids.nodes(i);
+        if (!marks.any(nodes.first(solids.row->corner_count)) || is_set_aside(set_aside, solids, i)) continue;
+        facets.visit(nodes, [&](std::size_t facet, FacetHash hash) {
+            if (hash.value == 0 || !marks(hash.lowest)) return;
+            const FacetRef ref{static_cast<std::uint32_t>(i), solids.index, static_cast<std::uint8_t>(facet)};
+            found.push_back({sorted_corners(outline_of(rows[facet], nodes)), hash.value, ref});
+        });
+    }
 }
 
 std::vector<FacetCandidate> candidates_at(
@@ -130,22 +155,14 @@ std::vector<FacetCandidate> candidates_at(
 ) {
     std::vector<FacetCandidate> all;
     for (const SolidBlock& solids : blocks) {
-        const auto facets = facets_of(solids.block->type);
         const std::size_t count = solids.block->ids.size();
         std::vector<std::vector<FacetCandidate>> found((count + kParallelChunk - 1) / kParallelChunk);
         parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
-            std::vector<FacetCandidate>& here = found[first / kParallelChunk];
-            for (std::size_t i = first; i < last; ++i) {
-                const auto nodes = solids.nodes(i);
-                if (!marks.any(nodes.first(solids.row->corner_count)) || is_set_aside(set_aside, solids, i))
-                    continue;
-                facet_hash::for_each(solids.block->type, nodes, [&](std::size_t facet, FacetHash hash) {
-                    if (hash.value == 0 || !marks(hash.lowest)) return;
-                    const FacetRef ref{
-                        static_cast<std::uint32_t>(i), solids.index, static_cast<std::uint8_t>(facet)};
-                    here.push_back({sorted_corners(outline_of(facets[facet], nodes)), hash.value, ref});
-                });
-            }
+            facet_hash::with_facets_of(solids.block->type, [&](const auto& facets) {
+                add_candidates(
+                    facets, marks, solids, set_aside, {first, last}, found[first / kParallelChunk]
+                );
+            });
         });
         std::size_t total = all.size();
         for (const std::vector<FacetCandidate>& part : found) total += part.size();

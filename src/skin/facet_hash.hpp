@@ -2,11 +2,13 @@
 // A 64-bit number for a facet: the same from both its owners, but of opposite sign.
 #pragma once
 
+#include "model/element_table.hpp"
 #include "skin/outline.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace feelem {
 
@@ -28,16 +30,16 @@ inline constexpr std::uint64_t kLast = 0x9E37'79B9'7F4A'7C15ULL;
 
 /// Both halves of the product, joined: not linear in either factor, so that the facets round a node do not
 /// cancel as sums of keys of their nodes would.
-inline std::uint64_t fold(std::uint64_t a, std::uint64_t b) noexcept {
+[[gnu::always_inline]] inline std::uint64_t fold(std::uint64_t a, std::uint64_t b) noexcept {
     const Product product = static_cast<Product>(a) * b;
     return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
 }
 
-inline std::uint64_t pair(std::uint32_t low, std::uint32_t high) noexcept {
+[[gnu::always_inline]] inline std::uint64_t pair(std::uint32_t low, std::uint32_t high) noexcept {
     return (std::uint64_t{high} << 32) | low;
 }
 
-inline std::uint64_t last_mix(std::uint64_t joined, bool negative) noexcept {
+[[gnu::always_inline]] inline std::uint64_t last_mix(std::uint64_t joined, bool negative) noexcept {
     const std::uint64_t value = fold(joined ^ kPair, kLast);
     return negative ? 0 - value : value;
 }
@@ -47,7 +49,9 @@ inline std::uint64_t middle(NodeIndex node) noexcept {
     return node == kNoNode ? 0 : fold(raw(node) ^ kMiddle, kLast);
 }
 
-inline FacetHash triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint64_t middles) noexcept {
+[[gnu::always_inline]] inline FacetHash triangle(
+    std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint64_t middles
+) noexcept {
     const std::uint32_t low = std::min(a, std::min(b, c));
     const std::uint32_t high = std::max(a, std::max(b, c));
     const std::uint32_t between = a ^ b ^ c ^ low ^ high;
@@ -55,7 +59,7 @@ inline FacetHash triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std
     return {low, last_mix(fold(pair(low, between) ^ kPair, high ^ kTriangle) + middles, odd)};
 }
 
-inline FacetHash quad(
+[[gnu::always_inline]] inline FacetHash quad(
     std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint64_t middles
 ) noexcept {
     // The diagonals a-c and b-d are the same whichever corner comes first; going round the other way swaps
@@ -87,7 +91,9 @@ std::uint64_t middles(const FacetRow& row, std::span<const NodeIndex> nodes) noe
 
 /// Facet `row`, a triangle, of an element.
 template <bool kQuadratic>
-FacetHash of_triangle(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
+[[gnu::always_inline]] inline FacetHash of_triangle(
+    const FacetRow& row, std::span<const NodeIndex> nodes
+) noexcept {
     const std::uint32_t a = raw(nodes[row.nodes[0]]);
     const std::uint32_t b = raw(nodes[row.nodes[1]]);
     const std::uint32_t c = raw(nodes[row.nodes[2]]);
@@ -98,7 +104,9 @@ FacetHash of_triangle(const FacetRow& row, std::span<const NodeIndex> nodes) noe
 
 /// Facet `row`, a quad, of an element. Its centre node does not count: brick20 and brick27 may be neighbours.
 template <bool kQuadratic>
-FacetHash of_quad(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
+[[gnu::always_inline]] inline FacetHash of_quad(
+    const FacetRow& row, std::span<const NodeIndex> nodes
+) noexcept {
     const std::uint32_t a = raw(nodes[row.nodes[0]]);
     const std::uint32_t b = raw(nodes[row.nodes[1]]);
     const std::uint32_t c = raw(nodes[row.nodes[2]]);
@@ -110,7 +118,7 @@ FacetHash of_quad(const FacetRow& row, std::span<const NodeIndex> nodes) noexcep
 }
 
 /// Any facet `row` of an element.
-inline FacetHash of(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
+[[gnu::always_inline]] inline FacetHash of(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
     switch (row.type) {
     case ElementType::Tri3: return of_triangle<false>(row, nodes);
     case ElementType::Tri6: return of_triangle<true>(row, nodes);
@@ -119,17 +127,40 @@ inline FacetHash of(const FacetRow& row, std::span<const NodeIndex> nodes) noexc
     }
 }
 
-/// Calls visit(facet, hash) for the facets of an element of `type`. The two types that big meshes are made of
-/// have loops of their own, which the compiler unrolls.
-template <class Visit>
-void for_each(ElementType type, std::span<const NodeIndex> nodes, Visit visit) {
-    const auto facets = facets_of(type);
-    if (type == ElementType::Hex8) {
-        for (std::size_t i = 0; i < 6; ++i) visit(i, of_quad<false>(facets[i], nodes));
-    } else if (type == ElementType::Tet4) {
-        for (std::size_t i = 0; i < 4; ++i) visit(i, of_triangle<false>(facets[i], nodes));
-    } else {
-        for (std::size_t i = 0; i < facets.size(); ++i) visit(i, of(facets[i], nodes));
+/// The hashes of an element's facets, for a type that is known when this is compiled.
+template <ElementType kType>
+struct OfElement {
+    template <class Visit>
+    [[gnu::always_inline]] static void visit(std::span<const NodeIndex> nodes, Visit&& visit_one) {
+        [&]<std::size_t... kFacets>(std::index_sequence<kFacets...>) {
+            (visit_one(kFacets, of(kRow.facets[kFacets], nodes)), ...);
+        }
+        (std::make_index_sequence<kRow.facet_count>());
+    }
+    static constexpr const ElementRow& kRow = element_table::kTable[static_cast<std::size_t>(kType)];
+};
+
+/// The same for any type, by the table.
+struct OfAnyElement {
+    ElementType type;
+
+    template <class Visit>
+    void visit(std::span<const NodeIndex> nodes, Visit&& visit_one) const {
+        const auto facets = facets_of(type);
+        for (std::size_t i = 0; i < facets.size(); ++i) visit_one(i, of(facets[i], nodes));
+    }
+};
+
+/// Calls body with what visits the facets of elements of `type`: the types that big meshes are made of have
+/// code of their own.
+template <class Body>
+void with_facets_of(ElementType type, Body&& body) {
+    switch (type) {
+    case ElementType::Hex8: return body(OfElement<ElementType::Hex8>{});
+    case ElementType::Tet4: return body(OfElement<ElementType::Tet4>{});
+    case ElementType::Hex20: return body(OfElement<ElementType::Hex20>{});
+    case ElementType::Tet10: return body(OfElement<ElementType::Tet10>{});
+    default: return body(OfAnyElement{type});
     }
 }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Must: be exact, and find out why owners do not agree. Assumes: see the header.
-// Algorithm: a hash table of the first candidate of each facet, with the number and sum of its owners; one
-// owner is outer, two that add up to 0 are inner, all others are looked at one by one. Then quads whose place
-// is taken by two triangles. Data: 12 bytes a candidate and the table.
+// Algorithm: a hash table (node_buckets.hpp) of the first candidate of each facet, with the number and sum of
+// its owners; one owner is outer, two that add up to 0 are inner, all others are looked at one by one. Then
+// quads whose place is taken by two triangles. Data: 12 bytes a candidate and the table.
 #include "skin/facet_match.hpp"
 
 #include "skin/element_checks.hpp"
 #include "skin/facet_hash.hpp"
+#include "skin/node_buckets.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -17,16 +17,16 @@
 namespace feelem {
 namespace {
 
-std::size_t place_of(const FacetKey& key, std::size_t mask) noexcept {
+std::uint32_t hash_of(const FacetKey& key) noexcept {
     using namespace facet_hash;
-    const std::uint64_t low = pair(raw(key[0]), raw(key[1]));
-    const std::uint64_t high = pair(raw(key[2]), raw(key[3]));
-    return static_cast<std::size_t>(fold(low ^ kPair, high ^ kTriangle)) & mask;
+    return static_cast<std::uint32_t>(
+        fold(pair(raw(key[1]), raw(key[2])) ^ kPair, raw(key[3]) ^ kTriangle) >> 32U
+    );
 }
 
-std::size_t table_size(std::size_t entries) {
-    return std::bit_ceil(entries * 2 + 1);
-}
+struct CandidateSlot {
+    std::uint32_t entry = 0;  ///< Candidate + 1.
+};
 
 /// What the candidates with the same corners have in common, kept at the first of them.
 struct Group {
@@ -46,14 +46,21 @@ Groups group(std::span<const FacetCandidate> candidates) {
     Groups groups;
     groups.first.resize(candidates.size());
     groups.at.resize(candidates.size());
-    std::vector<std::uint32_t> table(table_size(candidates.size()));  // candidate + 1; 0: free
-    const std::size_t mask = table.size() - 1;
+    NodeIndex last{0};
+    for (const FacetCandidate& candidate : candidates) last = std::max(last, candidate.key[0]);
+    NodeRanks ranks(std::size_t{raw(last)} + 1);
+    for (const FacetCandidate& candidate : candidates) ranks.mark(candidate.key[0]);
+    ranks.seal();
+    NodeBuckets<CandidateSlot> buckets(ranks.count());
+    for (const FacetCandidate& candidate : candidates) buckets.count(ranks(candidate.key[0]));
+    buckets.seal();
     for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-        std::size_t place = place_of(candidates[i].key, mask);
-        while (table[place] != 0 && candidates[table[place] - 1].key != candidates[i].key)
-            place = (place + 1) & mask;
-        if (table[place] == 0) table[place] = i + 1;
-        groups.first[i] = table[place] - 1;
+        const FacetKey& key = candidates[i].key;
+        CandidateSlot& slot = buckets.slot(ranks(key[0]), hash_of(key), [&](const CandidateSlot& there) {
+            return candidates[there.entry - 1].key == key;
+        });
+        if (slot.entry == 0) slot.entry = i + 1;
+        groups.first[i] = slot.entry - 1;
         Group& mine = groups.at[groups.first[i]];
         ++mine.owners;
         mine.sum += candidates[i].hash;

@@ -26,10 +26,6 @@ NodeIndex middle_between(const Outline& outline, NodeIndex a, NodeIndex b) noexc
 
 }  // namespace
 
-bool Outline::has_middles() const noexcept {
-    return std::ranges::any_of(middles, [](NodeIndex node) { return node != kNoNode; });
-}
-
 Outline outline_of(const FacetRow& row, std::span<const NodeIndex> element_nodes) noexcept {
     const ElementRow& shape = element_row(row.type);
     Outline out;

@@ -28,7 +28,10 @@ struct Outline {
     NodeIndex centre = kNoNode;
     std::uint8_t count = 0;  ///< Corners: 3, 4, or 0 when fewer than three differ.
 
-    bool has_middles() const noexcept;
+    bool has_middles() const noexcept {
+        // kNoNode has all bits set.
+        return (raw(middles[0]) & raw(middles[1]) & raw(middles[2]) & raw(middles[3])) != raw(kNoNode);
+    }
     std::size_t after(std::size_t corner) const noexcept { return corner + 1 == count ? 0 : corner + 1; }
 };
 

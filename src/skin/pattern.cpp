@@ -70,9 +70,22 @@ Point3 weighted(const FacetPlaces& places, const WeightedPoints& blend) noexcept
 
 }  // namespace
 
+Point3 centre_of_corners(const FacetPlaces& places) noexcept {
+    Point3 sum{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        sum[axis] =
+            0.25 * places[0][axis] + 0.25 * places[1][axis] + 0.25 * places[2][axis] + 0.25 * places[3][axis];
+    }
+    return sum;
+}
+
 FacetPlaces places_of(const Outline& facet, std::span<const Point3> coordinates) noexcept {
     FacetPlaces places{};
     for (std::size_t i = 0; i < facet.count; ++i) places[i] = coordinates[raw(facet.corners[i])];
+    if (!facet.has_middles() && facet.centre == kNoNode) {
+        if (facet.count == 4) places[kCentre] = centre_of_corners(places);
+        return places;
+    }
     if (facet.has_middles()) {
         for (std::size_t i = 0; i < facet.count; ++i) {
             places[kFirstMiddle + i] = facet.middles[i] == kNoNode

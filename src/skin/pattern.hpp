@@ -42,6 +42,8 @@ WeightedPoints blend_of_middle(const Outline& facet, std::size_t side) noexcept;
 WeightedPoints blend_of_centre(const Outline& facet) noexcept;
 
 using FacetPlaces = std::array<Point3, kFacetPoints>;
+/// Of a quad without middles: the sum that blend_of_centre describes, in its order.
+Point3 centre_of_corners(const FacetPlaces& places) noexcept;
 /// Coordinates of the facet's points; those the pattern does not use stay 0.
 FacetPlaces places_of(const Outline& facet, std::span<const Point3> coordinates) noexcept;
 

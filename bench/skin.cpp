@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times the skin of a mesh made in memory. `facets`: which facets are outer. `skin`: the whole stage, as
+// convert runs it, with one result carried: triangles, creases, normals, edges. JSON on stdout;
+// peers/vtk_skin.cpp says the same of VTK.
+#include "feelem/skin.hpp"
+
+#include "base/parallel.hpp"
+#include "skin/facet_cancellation.hpp"
+#include "skin_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+struct Found {
+    bench::FacetSum facets;
+    double value_sum = 0, area = 0, volume = 0;
+    std::size_t triangles = 0;
+};
+
+bench::FacetSum sum_of(const feelem::Mesh& mesh, const feelem::OuterFacets& outer) {
+    bench::FacetSum sum;
+    for (const feelem::FacetRef ref : outer.outer) {
+        const feelem::Outline outline = feelem::outline_of(mesh, ref);
+        std::array<std::uint32_t, 4> corners{};
+        for (std::size_t i = 0; i < outline.count; ++i) corners[i] = feelem::raw(outline.corners[i]);
+        sum.add(std::span(corners).first(outline.count));
+    }
+    return sum;
+}
+
+feelem::Result one_result(const feelem::Mesh& mesh) {
+    feelem::Result result;
+    result.info.name = "temperature";
+    result.info.location = feelem::Location::Nodal;
+    result.info.components = {"value"};
+    result.values.resize(mesh.node_count());
+    for (std::size_t i = 0; i < mesh.node_count(); ++i)
+        result.values[i] = bench::value_at(static_cast<std::uint32_t>(i));
+    return result;
+}
+
+/// Each node of the skin once, though creases split vertices.
+double sum_of_nodes(
+    const feelem::Mesh& mesh, const feelem::Surface& surface, const feelem::SurfaceField& field
+) {
+    std::vector<bool> seen(mesh.node_count());
+    double sum = 0;
+    for (std::size_t i = 0; i < surface.vertex_node.size(); ++i) {
+        const feelem::NodeIndex node = surface.vertex_node[i];
+        if (node == feelem::kNoNode || seen[feelem::raw(node)]) continue;
+        seen[feelem::raw(node)] = true;
+        sum += static_cast<double>(field.values[i]);
+    }
+    return sum;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 6) {
+        std::fputs("usage: bench_skin facets|skin KIND CELLS NUMBERING THREADS\n", stderr);
+        return 2;
+    }
+    try {
+        const std::string stage = argv[1];
+        const feelem::Mesh mesh = bench::make_mesh(argv[2], std::stoul(argv[3]), argv[4]);
+        const feelem::Result result = one_result(mesh);
+        feelem::set_thread_count(static_cast<unsigned>(std::stoul(argv[5])));
+        feelem::Diagnostics diagnostics;
+        const std::size_t before = bench::resident_bytes();
+        bench::forget_peak();
+        const double cpu = bench::cpu_seconds();
+        const auto start = std::chrono::steady_clock::now();
+        feelem::OuterFacets outer;
+        feelem::Surface surface;
+        feelem::SurfaceField field;
+        if (stage == "facets") {
+            outer = feelem::find_outer_facets(mesh, {});
+        } else {
+            surface = feelem::make_skin(mesh, {}, diagnostics);
+            field = feelem::carry(mesh, surface, result);
+        }
+        const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double used = bench::cpu_seconds() - cpu;
+        const std::size_t extra = bench::peak_bytes() - std::min(before, bench::peak_bytes());
+        Found found;
+        if (stage == "facets") {
+            found.facets = sum_of(mesh, outer);
+        } else {
+            found.facets.count = surface.report.solid_facets_kept;
+            found.area = surface.report.area;
+            found.volume = surface.report.volume;
+            found.triangles = surface.report.triangles;
+            found.value_sum = sum_of_nodes(mesh, surface, field);
+        }
+        fmt::print(
+            "{{\"cells\": {}, \"nodes\": {}, \"cpu\": {:.6f}, \"wall\": {:.6f}, \"extra_bytes\": {}, "
+            "\"facets\": {}, "
+            "\"facet_sum\": {}, \"triangles\": {}, \"area\": {:.9g}, \"volume\": {:.9g}, \"value_sum\": "
+            "{:.9g}}}\n",
+            mesh.element_count(),
+            mesh.node_count(),
+            used,
+            wall,
+            extra,
+            found.facets.count,
+            found.facets.sum,
+            found.triangles,
+            found.area,
+            found.volume,
+            found.value_sum
+        );
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "bench_skin: {}\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A hash table whose slots lie in the order of nodes: what belongs to neighbouring nodes is found in
+// neighbouring memory, which one table for all would scatter. Filled in three steps: count() everything,
+// seal(), then slot() as often as it was counted.
+#pragma once
+
+#include "feelem/ids.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace feelem {
+
+/// The nodes that were marked, numbered in their order.
+class NodeRanks {
+public:
+    explicit NodeRanks(std::size_t node_count) : bits_(node_count / 64 + 1) {}
+
+    void mark(NodeIndex node) { bits_[raw(node) / 64] |= std::uint64_t{1} << (raw(node) % 64); }
+    void seal() {
+        before_.resize(bits_.size());
+        for (std::size_t i = 0; i < bits_.size(); ++i) {
+            before_[i] = count_;
+            count_ += static_cast<std::uint32_t>(std::popcount(bits_[i]));
+        }
+    }
+    std::size_t count() const { return count_; }
+    std::uint32_t operator()(NodeIndex node) const {
+        const std::uint64_t below = bits_[raw(node) / 64] & ((std::uint64_t{1} << (raw(node) % 64)) - 1);
+        return before_[raw(node) / 64] + static_cast<std::uint32_t>(std::popcount(below));
+    }
+
+private:
+    std::vector<std::uint64_t> bits_;
+    std::vector<std::uint32_t> before_;
+    std::uint32_t count_ = 0;
+};
+
+/// `Slot` has a member `entry`, 0 while it is free. A node's slots are as many as things were counted there,
+/// so that they suffice whatever is looked up, and a node that everything hangs on is searched no longer than
+/// others.
+template <class Slot>
+class NodeBuckets {
+public:
+    explicit NodeBuckets(std::size_t nodes) : first_(nodes + 1) {}
+
+    void count(std::uint32_t node) { ++first_[node + 1]; }
+    void seal() {
+        for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+        slots_.resize(first_.back());
+    }
+    /// The slot for which is_same says so, else a free one. `hash`: 32 good bits.
+    template <class IsSame>
+    Slot& slot(std::uint32_t node, std::uint32_t hash, IsSame is_same) {
+        const std::uint32_t begin = first_[node], size = first_[node + 1] - begin;
+        std::uint32_t at = begin + static_cast<std::uint32_t>((std::uint64_t{hash} * size) >> 32U);
+        while (slots_[at].entry != 0 && !is_same(slots_[at])) at = at + 1 == begin + size ? begin : at + 1;
+        return slots_[at];
+    }
+
+private:
+    std::vector<std::uint32_t> first_;
+    std::vector<Slot> slots_;
+};
+
+}  // namespace feelem
