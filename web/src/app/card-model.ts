@@ -46,9 +46,11 @@ export function cardModel(
       },
     ];
   });
+  // Ticks of no result of their own are those of what cannot be felt here.
+  const standsIn = !options.vibrates && view.shownAs("ticks") === null;
   const heard = [
     report.hz > 0 ? `tone ${numberText(report.hz, 4)} Hz` : "",
-    report.tickRate > 0 ? `${numberText(report.tickRate, 3)} ticks/s` : "",
+    report.tickRate > 0 ? `${numberText(report.tickRate, 3)} ticks/s${standsIn ? " for touch" : ""}` : "",
     options.vibrates && report.pulse.rate > 0 ? `${numberText(report.pulse.rate, 3)} pulses/s` : "",
   ].filter((text) => text !== "");
   return {

@@ -16,6 +16,8 @@ import {
 import { type Fields, rangeOf } from "./ranges";
 import type { Store } from "./store";
 
+/** Maps whose neighbours differ in lightness alone: shade would be read as another value, so they get half of it. */
+const TOLD_BY_LIGHTNESS: ReadonlySet<string> = new Set(["cividis", "cool_warm"]);
 const scratch = new Vector3();
 
 /** A result of the presentation with its values and range at the step that is shown. */
@@ -202,6 +204,7 @@ export class ModelView {
       limitSign: limit === null ? 0 : colour?.limitIsUpper ? 1 : -1,
       missingHatch: entry?.nanHatch !== false,
     });
+    this.applyShading();
     const [fields, component] = [colour?.fields ?? null, colour?.componentIndex ?? 0];
     if (fields === this.#coloured.fields && component === this.#coloured.component) return;
     this.#coloured = { fields, component };
@@ -246,7 +249,9 @@ export class ModelView {
 
   applyShading(): void {
     const entry = colourEntry(this.#store.state.doc);
-    const floor = typeof entry?.shadeFloor === "number" ? Math.min(Math.max(entry.shadeFloor, 0), 1) : 0.75;
+    const asked = typeof entry?.shadeFloor === "number" ? Math.min(Math.max(entry.shadeFloor, 0), 1) : 0.75;
+    const map = colourEffect(this.#store.state.doc)?.map ?? "";
+    const floor = TOLD_BY_LIGHTNESS.has(map) ? (1 + asked) / 2 : asked;
     this.model.setShadeFloor(this.#store.state.shading ? floor : 1);
   }
 

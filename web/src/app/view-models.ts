@@ -4,7 +4,7 @@ import { type CardModel, type LegendModel, numberText, stepText, type TableModel
 import { cardModel } from "./card-model";
 import type { ModelView, Shown } from "./model-view";
 import type { Player } from "./player";
-import { colourEffect, colourEntry, otherResults } from "./presentation-doc";
+import { colourEffect, colourEntry, otherResults, pulseFallback } from "./presentation-doc";
 import { PIN, type Probing } from "./probing";
 import type { Store } from "./store";
 
@@ -32,7 +32,19 @@ export class ViewModels {
   table(): TableModel {
     const { doc } = this.#store.state;
     const others = otherResults(doc, this.#view.scene.extras);
-    return { doc, shown: this.#view.shown, others, canShape: (shown) => this.canShape(shown) };
+    const { touchNote } = this;
+    return { doc, shown: this.#view.shown, others, canShape: (shown) => this.canShape(shown), touchNote };
+  }
+
+  /** Where nothing can shake, the page says what stands in for the pulses. */
+  get touchNote(): string {
+    const felt = this.#view.shownAs("pulses");
+    if (!felt || [...this.#probing.pointers].some((p) => p.actuator !== null)) return "";
+    const { doc } = this.#store.state;
+    const ticks = pulseFallback(doc) !== null && this.#view.shownAs("ticks") === null;
+    return ticks
+      ? `Nothing here vibrates: ${felt.label} ticks instead.`
+      : `Nothing here vibrates: ${felt.label} is on the card alone.`;
   }
 
   panel(hover: string | null) {

@@ -8,6 +8,7 @@ export {
   choosePresentation,
   type Slot,
 } from "./choose";
+export { differenceOf, labOf, leastDifference, type Vision, visions } from "./colour-difference";
 export { bandOf, colourMaps, colourOf, mapColour, paletteColour } from "./colour-map";
 export { automaticDeformationFactor, normalise } from "./normalise";
 export {

@@ -16,6 +16,7 @@ export class Stage {
   readonly camera = new PerspectiveCamera(30, 1, 0.01, 100);
   readonly orbit: Orbit;
   readonly #frames = new Set<FrameListener>();
+  readonly #lateFrames = new Set<FrameListener>();
   readonly #host: HTMLElement;
   readonly #resizeObserver: ResizeObserver;
   #dirty = true;
@@ -56,6 +57,12 @@ export class Stage {
     return () => this.#frames.delete(listener);
   }
 
+  /** Like onFrame, but after all of those: what follows from where the pointers are in this very frame. */
+  onLateFrame(listener: FrameListener): () => void {
+    this.#lateFrames.add(listener);
+    return () => this.#lateFrames.delete(listener);
+  }
+
   get size(): Vector2 {
     return this.renderer.getSize(new Vector2());
   }
@@ -73,6 +80,7 @@ export class Stage {
 
   #frame(seconds: number, frame: XRFrame | undefined): void {
     for (const listener of this.#frames) listener(seconds, frame);
+    for (const listener of this.#lateFrames) listener(seconds, frame);
     if (!this.#dirty && this.#running === 0 && !this.renderer.xr.isPresenting) return;
     this.#dirty = false;
     this.renderer.render(this.scene, this.camera);

@@ -309,7 +309,7 @@ class Engine implements Sound {
     const { gain } = this.#graph.master;
     if (this.#muted) {
       gain.cancelScheduledValues(now);
-      fadeOut(gain, now, 0.2 / 11);
+      fadeOut(gain, now, releaseTau);
     } else {
       glide(gain, this.#master, now, 0.04);
     }

@@ -7,6 +7,7 @@ import { type ColourEffect, colourMaps, normalise, type Rgb } from "../present";
 import { type Palette, texelOf } from "../render";
 import type { Actions } from "./actions";
 import { axisTexts, numberText, unitText } from "./format";
+import { mapNote } from "./map-note";
 import { labelPositions, positionOf, valueAtPosition } from "./scale-axis";
 import { originText } from "./variant-list";
 
@@ -149,6 +150,7 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
   const texts = axisTexts(positions.map((t) => valueAtPosition(t, shown.range)));
   const probe = positionOf(model.probed, shown.range);
   const unit = unitText(shown.unit);
+  const note = mapNote(effect);
   const limit = shown.limit === null ? null : normalise(shown.limit, shown.range);
   // A limit outside the range has its word below, not a place on the scale.
   const limitAt = limit && !limit.missing && !limit.above && !limit.below ? limit.position : null;
@@ -172,6 +174,7 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
       <li><i class=${model.hatch ? "hatch" : ""} .style=${css(effect.missing)}></i>no value</li>
     </ul>
     ${limit && limitAt === null ? html`<p class="legend-note">limit ${numberText(shown.limit)}: ${limit.above ? "above" : "below"} this range</p>` : null}
+    ${note === null ? null : html`<p class="legend-note legend-warning">${note}</p>`}
     ${settings(model, actions)}
     <p class="legend-note">${originText(shown.result)}</p>
     <p class="legend-note">${model.deformText}</p>

@@ -14,6 +14,8 @@ export interface TableModel {
   readonly others: readonly { result: SceneResult; component: string }[];
   /** Whether a result's quantity has displacement vectors that can shape the model. */
   canShape(shown: Shown): boolean;
+  /** How touch reaches a person whose device cannot shake; "": it can, or nothing is to be felt. */
+  readonly touchNote: string;
 }
 
 export const COLUMNS: readonly { slot: Slot; icon: IconName; word: string; verb: string }[] = [
@@ -63,6 +65,7 @@ export function resultTableTemplate(model: TableModel, actions: Actions): Templa
       </thead>
       <tbody>${model.shown.map((shown) => row(model, shown, actions))}</tbody>
     </table>
+    ${model.touchNote ? html`<p class="hint touch-note">${model.touchNote}</p>` : null}
     ${model.shown.length + model.others.length === 0 ? html`<p class="hint">This scene holds no results: only the shape can be looked at.</p>` : null}
     ${
       model.others.length === 0

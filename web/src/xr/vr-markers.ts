@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // MX and MN in the headset: a dot at the place and its label, as large for the eyes at any distance.
 import { Mesh, MeshBasicMaterial, type Scene, SphereGeometry, type Vector3 } from "three";
-import { BOARD_FONT, Board, BOARD_COLOURS as C, roundRect } from "./board";
+import { BOARD_FONT, Board, BOARD_COLOURS as C, reportOf, roundRect } from "./board";
 
 export interface VrMark {
   readonly kind: "max" | "min" | "hot" | "note" | "ruler";
@@ -62,6 +62,11 @@ export class VrMarkers {
       context.fillText(text, WIDTH / 2, HEIGHT / 2, WIDTH - 30);
       return [];
     });
+  }
+
+  /** Where labels are, as boards are told. */
+  report() {
+    return [...this.#shown.values()].flatMap(({ board }) => reportOf(board) ?? []);
   }
 
   #make(id: string): Shown {

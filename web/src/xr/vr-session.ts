@@ -229,6 +229,7 @@ export class VrSession {
       panel: panel && { ...panel, buttons },
       legend: reportOf(this.#legend),
       card: reportOf(this.#card),
+      labels: this.#markers.report(),
       knobs: this.#planes.places,
       model: this.#app.view.model.worldMatrix().toArray(),
     };

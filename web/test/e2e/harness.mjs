@@ -64,7 +64,15 @@ export async function launch() {
 export async function openPage(
   browser,
   url,
-  { width = 900, height = 620, headset = false, dark = false, smooth = false, offline = false } = {},
+  {
+    width = 900,
+    height = 620,
+    headset = false,
+    dark = false,
+    smooth = false,
+    offline = false,
+    before = null,
+  } = {},
 ) {
   const context = await browser.newContext({
     viewport: { width, height },
@@ -82,6 +90,7 @@ export async function openPage(
     return route.continue();
   });
   await context.addInitScript(tapSound);
+  if (before) await context.addInitScript(before);
   if (headset) {
     await context.addInitScript(readFileSync(IWER, "utf8"));
     await context.addInitScript(emulateHeadset);
@@ -145,5 +154,23 @@ export async function pixelOf(page, png, x, y) {
       return [r, g, b];
     },
     { data: png.toString("base64"), x: Math.round(x), y: Math.round(y) },
+  );
+}
+
+/** Colours of many pixels of one picture, each as [r, g, b]. */
+export async function pixelsOf(page, png, points) {
+  return page.evaluate(
+    async ({ data, points }) => {
+      const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = canvas.getContext("2d");
+      context.drawImage(bitmap, 0, 0);
+      const all = context.getImageData(0, 0, bitmap.width, bitmap.height).data;
+      return points.map(([x, y]) => [
+        ...all.subarray(4 * (y * bitmap.width + x), 4 * (y * bitmap.width + x) + 3),
+      ]);
+    },
+    { data: png.toString("base64"), points },
   );
 }

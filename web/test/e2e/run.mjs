@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "vite";
 import { tinyScene } from "../support/tiny-scene.ts";
 import { accessTests } from "./access.mjs";
+import { claimTests } from "./claims.mjs";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { keepTests } from "./keep.mjs";
@@ -53,6 +54,7 @@ let failed = 0;
 let skipped = 0;
 for (const { name, run, skip } of [
   ...deskTests,
+  ...claimTests,
   ...lookTests,
   ...listeningTests,
   ...timeTests,

@@ -24,6 +24,7 @@ import { Picker, valueAt } from "../../src/probe";
 import { openScene } from "../../src/scene";
 import { createHaptics } from "../../src/sense";
 import { canRender, type Renderer, startRenderer } from "./renderer";
+import { numbers } from "./script";
 import { fundamental, onsets, part } from "./signal";
 
 const root = fileURLToPath(new URL("../../../", import.meta.url));
@@ -36,15 +37,6 @@ interface Heard {
   readonly range: ValueRange;
   /** Of each ray, where it meets the boiler. */
   readonly values: readonly number[];
-}
-
-/** A repeatable row of numbers in 0..1. */
-function numbers(seed: number): () => number {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
 }
 
 /** Shoots rays from all sides at the boiler until a hundred of them have met it. */

@@ -14,16 +14,17 @@ function eventsOf(states: (ProbeState | null)[]): SenseEvent[] {
 }
 const values = (...numbers: number[]) => numbers.map((value) => ({ value, range, limit }));
 
-test("a ramp through the limit and back is one event up and one down", () => {
+test("A11 a ramp through the limit and back is one event up and one down", () => {
   const ramp = Array.from({ length: 400 }, (_, i) => i);
 
   expect(eventsOf(values(...ramp))).toEqual(["limitUp"]);
   expect(eventsOf(values(...ramp, ...ramp.reverse()))).toEqual(["limitUp", "limitDown"]);
 });
 
-test("noise of half a per cent of the range around the limit is one event at most", () => {
+test("A11 noise of half a per cent of the range around the limit is one event at most", () => {
   const noise = Array.from({ length: 2000 }, (_, i) => 250 + 2 * Math.sin(i * i));
 
+  expect(Math.max(...noise) - Math.min(...noise)).toBeGreaterThan(3.9);
   expect(eventsOf(values(...noise)).length).toBeLessThanOrEqual(1);
 });
 

@@ -11,6 +11,8 @@ export interface Script {
   seconds: number;
   options: Partial<SoundOptions>;
   steps: Step[];
+  /** Samples the device asks for at once: what is called meanwhile is heard from the next on. */
+  block?: number;
 }
 
 const sampleRate = 48000;
@@ -24,10 +26,11 @@ async function render(script: Script): Promise<string[]> {
     else if (step.call === "stop") sound.stop();
     else sound.setMuted(step.call === "mute");
   };
-  // Calls happen between blocks of 128 samples, as they do live.
+  // Calls are heard from the next block on, as they are live.
+  const size = script.block ?? 128;
   const byBlock = new Map<number, Step[]>();
   for (const step of script.steps) {
-    const block = Math.round((step.at * sampleRate) / 128);
+    const block = Math.ceil((step.at * sampleRate) / size - 1e-6);
     byBlock.set(block, [...(byBlock.get(block) ?? []), step]);
   }
   for (const [block, steps] of byBlock) {
@@ -35,7 +38,7 @@ async function render(script: Script): Promise<string[]> {
       steps.forEach(apply);
       continue;
     }
-    context.suspend((block * 128) / sampleRate).then(() => {
+    context.suspend((block * size) / sampleRate).then(() => {
       steps.forEach(apply);
       void context.resume();
     });

@@ -2,37 +2,17 @@
 // What the sound engine puts out, rendered by Chromium offline and measured.
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
-import {
-  defaultPitch,
-  defaultTicks,
-  equalLoudness,
-  negativePartials,
-  tickRateOf,
-  toneOf,
-  tonePartials,
-} from "../../src/present";
-import type { SoundFrame } from "../../src/sense";
+import { defaultPitch, equalLoudness, negativePartials, toneOf, tonePartials } from "../../src/present";
+import type { EventKind, SoundFrame } from "../../src/sense";
+import { earcons } from "../../src/sense/earcons";
+import { measured } from "../support/measured";
 import { canRender, type Renderer, startRenderer } from "./renderer";
+import { frames, numbers } from "./script";
 import { amplitudeAt, decibel, fundamental, highPass, onsets, part, peak, rms } from "./signal";
 import type { Script, Step } from "./sound-page";
 
 const unit = { lo: 0, hi: 1, scale: "linear" } as const;
 const toneFrame = (u: number): SoundFrame => toneOf(u, unit, defaultPitch);
-
-/** A call of update at 72 Hz from one time to another. */
-function frames(from: number, to: number, frame: (time: number, index: number) => SoundFrame | null): Step[] {
-  const count = Math.floor((to - from) * 72);
-  return Array.from({ length: count }, (_, i) => ({ at: from + i / 72, update: frame(from + i / 72, i) }));
-}
-
-/** A repeatable row of numbers in 0..1. */
-function numbers(seed: number): () => number {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
 
 describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
   let page: Page;
@@ -51,19 +31,30 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
     steps: frames(0, seconds, () => frame),
   });
 
-  test("pitch is the formula's within a thousandth, and rises with the value", async () => {
+  test("A1 pitch is the formula's within a thousandth, and rises with the value", async () => {
     let last = 0;
+    for (let i = 0; i <= 1000; i++) {
+      const { hz } = toneOf(i / 1000, unit, defaultPitch);
+      expect(Math.abs(hz / (440 * 2 ** ((48 + 36 * (i / 1000) - 69) / 12)) - 1)).toBeLessThan(1e-12);
+      expect(hz).toBeGreaterThan(last);
+      last = hz;
+    }
+    last = 0;
+    let worst = 0;
     for (let i = 0; i <= 20; i++) {
       const frame = toneFrame(i / 20);
       const [left] = await render(steady(0.7, frame));
       const hz = fundamental(part(left, 0.3, 0.7));
-      expect(Math.abs(hz / (frame.hz ?? 0) - 1), `u ${i / 20}: ${hz} Hz`).toBeLessThan(0.001);
+      const error = Math.abs(hz / (frame.hz ?? 0) - 1);
+      expect(error, `u ${i / 20}: ${hz} Hz`).toBeLessThanOrEqual(0.001);
+      worst = Math.max(worst, error);
       expect(hz).toBeGreaterThan(last);
       last = hz;
     }
+    measured("A1", `worst of 21 tones ${(100 * worst).toFixed(4)} %`);
   });
 
-  test("37 pitches are equally loud within 1.5 dB, hollow ones too", async () => {
+  test("A3 37 pitches are equally loud within 1.5 dB, hollow ones too", async () => {
     const levels: number[] = [];
     for (let i = 0; i <= 36; i++) {
       const signed = { lo: -1, hi: 1, scale: "signed" } as const;
@@ -77,24 +68,31 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
       });
       levels.push(10 * Math.log10(power));
     }
-    expect(Math.max(...levels) - Math.min(...levels)).toBeLessThan(1.5);
+    const spread = Math.max(...levels) - Math.min(...levels);
+    expect(spread).toBeLessThanOrEqual(1.5);
+    measured("A3", `spread ${spread.toFixed(3)} dB`);
   });
 
-  test("nothing passes -6 dBFS with every voice and every event at full level", async () => {
+  test("A4 nothing passes -6 dBFS with every voice and every event at full level", async () => {
     const random = numbers(7);
     let u = 0.5;
     const steps = frames(0, 10, () => {
       u = Math.min(Math.max(u + 0.2 * (random() - 0.5), 0), 1);
-      return { ...toneFrame(u), tickRate: 12, pan: 2 * random() - 1, tremolo: random() < 0.3 };
+      const second = { hz: 311.7, gain: 1 };
+      return { ...toneFrame(u), tickRate: 12, second, pan: 2 * random() - 1, tremolo: random() < 0.3 };
     });
-    const kinds = ["limitUp", "maximum", "noValue", "bandUp", "enter", "limitDown", "minimum"] as const;
-    kinds.forEach((event, i) => {
+    (Object.keys(earcons) as EventKind[]).forEach((event, i) => {
       for (let t = 0.3 + 0.17 * i; t < 10; t += 1.2) steps.push({ at: t, event });
     });
     // As it is, and with a tone ten times too loud: the limiter must hold.
     for (const options of [{ master: 1 }, { master: 1, toneGain: 1, mono: true }]) {
       const [left, right] = await render({ seconds: 10, options, steps });
-      expect(decibel(Math.max(peak(left), peak(right)))).toBeLessThanOrEqual(-6);
+      const loudest = decibel(Math.max(peak(left), peak(right)));
+      expect(loudest).toBeLessThanOrEqual(-6);
+      measured(
+        "A4",
+        `peak ${loudest.toFixed(1)} dBFS${"toneGain" in options ? ", tone ten times too loud" : ""}`,
+      );
       expect(peak(left)).toBeGreaterThan("toneGain" in options ? 0.49 : 0.1);
     }
   });
@@ -109,15 +107,16 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
     expect(amplitudeAt(part(alone, 0.3, 0.8), 311.7)).toBeLessThan(level / 20);
   });
 
-  test("the default mix is no louder than -20 dBFS on average", async () => {
+  test("A4 the default mix is no louder than -20 dBFS on average", async () => {
     const frame = { ...toneFrame(0), tickRate: 12 };
     const [left, right] = await render(steady(2, frame, {} as typeof loud));
 
-    expect(decibel(rms(part(left, 0.5, 2)))).toBeLessThan(-20);
-    expect(decibel(rms(part(right, 0.5, 2)))).toBeLessThan(-20);
+    const level = decibel(Math.max(rms(part(left, 0.5, 2)), rms(part(right, 0.5, 2))));
+    expect(level).toBeLessThanOrEqual(-20);
+    measured("A4", `default mix ${level.toFixed(1)} dBFS`);
   });
 
-  test("jumps of the value and of the gate make no clicks", async () => {
+  test("A5 jumps of the value and of the gate make no clicks", async () => {
     const random = numbers(3);
     const us = Array.from({ length: 100 }, random);
     const open = Array.from({ length: 100 }, () => random() < 0.7);
@@ -128,42 +127,34 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
     const [left] = await render({ seconds: 10, options: loud, steps });
 
     expect(rms(left)).toBeGreaterThan(0.01);
-    expect(decibel(peak(highPass(left, 12000)))).toBeLessThan(-80);
+    const clicks = decibel(peak(highPass(left, 12000)));
+    expect(clicks).toBeLessThanOrEqual(-80);
+    measured("A5", `clicks ${clicks.toFixed(1)} dBFS`);
   });
 
-  test.each([0, 0.25, 0.5, 0.75, 1])("tick rate at u = %f is the formula's within 2 %", async (u) => {
-    const rate = tickRateOf(u, unit, defaultTicks);
-    const [left] = await render(steady(8, { tickRate: rate }));
-    const times = onsets(left, 0.05);
-    const intervals = times.slice(1).map((t, i) => t - (times[i] ?? 0));
-
-    expect(times.length).toBeGreaterThan(8 * rate - 2);
-    for (const interval of intervals) expect(Math.abs(interval * rate - 1)).toBeLessThan(0.02);
-  });
-
-  test("ticks of a wandering value never come closer than 60 ms", async () => {
-    const random = numbers(11);
-    const steps = frames(0, 10, () => ({ tickRate: tickRateOf(random(), unit, defaultTicks) }));
-    const times = onsets((await render({ seconds: 10, options: loud, steps }))[0], 0.03);
-
-    expect(times.length).toBeGreaterThan(20);
-    for (const [i, t] of times.slice(1).entries()) expect(t - (times[i] ?? 0)).toBeGreaterThan(0.06);
-  });
-
-  test("ticks stand out of the tone in their own band by 10 dB", async () => {
+  test("A7 ticks stand out of the tone in their own band by 10 dB", async () => {
     const [ticks] = await render(steady(1, { tickRate: 8 }));
     const burst = onsets(ticks, 0.05).find((t) => t > 0.4) ?? 0;
     const inBand = (x: Float32Array) => rms(part(bandPass(x), burst, burst + 0.01));
-    for (const u of [0, 0.5, 1]) {
-      const [tone] = await render(steady(1, toneFrame(u)));
-      expect(decibel(inBand(ticks) / inBand(tone)), `u ${u}`).toBeGreaterThan(10);
+    let least = Number.POSITIVE_INFINITY;
+    for (let i = 0; i <= 12; i++) {
+      const frame = toneFrame(i / 12);
+      // No partial lies higher than 4.2 kHz, so that the band above is the ticks' alone.
+      expect((frame.hz ?? 0) * tonePartials.length).toBeLessThanOrEqual(4200);
+      const [tone] = await render(steady(1, frame));
+      const above = decibel(inBand(ticks) / inBand(tone));
+      expect(above, `u ${i / 12}`).toBeGreaterThanOrEqual(10);
+      least = Math.min(least, above);
     }
+    measured("A7", `least ${least.toFixed(1)} dB`);
   });
 
-  test("release ends in exact silence within 120 ms, stop within 50 ms", async () => {
+  test("A10 release, no value and leaving end in exact silence within 120 ms, stop within 50 ms", async () => {
     const frame = { ...toneFrame(0.3), tickRate: 12 };
     for (const [step, within] of [
       [{ at: 0.6, update: null }, 0.12],
+      [{ at: 0.6, update: { ...toneOf(Number.NaN, unit, defaultPitch), tickRate: 0 } }, 0.12],
+      [{ at: 0.6, call: "mute" }, 0.12],
       [{ at: 0.6, call: "stop" }, 0.05],
     ] as const) {
       const [left, right] = await render({
@@ -177,29 +168,11 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
     }
   });
 
-  test("stopping at once makes no click either", async () => {
+  test("A5 stopping at once makes no click either", async () => {
     const steps: Step[] = [...frames(0, 0.6, () => toneFrame(0.3)), { at: 0.6, call: "stop" }];
     const [left] = await render({ seconds: 1, options: loud, steps });
 
     expect(decibel(peak(highPass(left, 12000)))).toBeLessThan(-80);
-  });
-
-  test("a change of value is heard within 20 ms of the call", async () => {
-    const at = 0.5;
-    const script = (u: number): Script => ({
-      seconds: 1,
-      options: loud,
-      steps: frames(0, 1, (t) => toneFrame(t < at ? 0.5 : u)),
-    });
-    const [before] = await render(script(0.5));
-    const [after] = await render(script(0.52));
-    const first = before.findIndex((v, i) => v !== after[i]) / 48000;
-
-    expect(first).toBeGreaterThanOrEqual(at - 1 / 72);
-    expect(first).toBeLessThan(at + 1 / 72 + 0.006);
-    // Within 10 cents of the new pitch after 64 ms.
-    const hz = fundamental(part(after, at + 0.08, at + 0.4));
-    expect(Math.abs(1200 * Math.log2(hz / (toneFrame(0.52).hz ?? 1)))).toBeLessThan(10);
   });
 
   test("a page that stops calling falls silent by itself", async () => {
@@ -210,7 +183,7 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
     expect(peak(part(left, 1.3, 2))).toBe(0);
   });
 
-  test("mute fades to exact silence and back", async () => {
+  test("A10 mute fades to exact silence and back", async () => {
     const frame = toneFrame(0.5);
     const steps: Step[] = [
       ...frames(0, 1.5, () => frame),
@@ -219,12 +192,12 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
     ];
     const [left] = await render({ seconds: 1.5, options: loud, steps });
 
-    expect(peak(part(left, 0.75, 1))).toBe(0);
+    expect(peak(part(left, 0.623, 1))).toBe(0);
     expect(peak(part(left, 1.3, 1.5))).toBeGreaterThan(0.02);
     expect(decibel(peak(highPass(left, 12000)))).toBeLessThan(-80);
   });
 
-  test("both ears: the nearer is louder, the sum stays, mono is bit-equal", async () => {
+  test("A9 both ears: the nearer is louder, the sum stays, mono is bit-equal", async () => {
     const energy = async (pan: number) => {
       const [l, r] = await render(steady(0.7, { ...toneFrame(0.5), pan }, { master: 1 } as typeof loud));
       return [rms(part(l, 0.3, 0.7)) ** 2, rms(part(r, 0.3, 0.7)) ** 2] as const;
@@ -235,7 +208,9 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
       sums.push(10 * Math.log10(l + r));
       if (pan !== 0) expect(Math.sign(r - l)).toBe(Math.sign(pan));
     }
-    expect(Math.max(...sums) - Math.min(...sums)).toBeLessThan(1.5);
+    const spread = Math.max(...sums) - Math.min(...sums);
+    expect(spread).toBeLessThanOrEqual(1.5);
+    measured("A9", `energy over azimuth within ${spread.toFixed(2)} dB`);
     const [l, r] = await render(steady(0.7, { ...toneFrame(0.5), tickRate: 8, pan: 0.8 }));
     expect(Buffer.compare(Buffer.from(l.buffer), Buffer.from(r.buffer))).toBe(0);
   });
@@ -320,7 +295,7 @@ describe.skipIf(!canRender)("sound engine", { timeout: 120_000 }, () => {
     expect(peak((await hear(null)).samples)).toBe(0);
   });
 
-  test("the same calls give the same samples", async () => {
+  test("A12 the same calls give the same samples", async () => {
     const script: Script = {
       seconds: 2,
       options: {},

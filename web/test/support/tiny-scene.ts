@@ -12,6 +12,8 @@ export interface TinyOptions {
   times?: number;
   /** The mode of step 2 has an imaginary part. */
   complex?: boolean;
+  /** The bar swollen to a ball of 60 mm, with this temperature everywhere. */
+  ball?: number;
 }
 export interface TinyScene {
   glb: ArrayBuffer;
@@ -110,6 +112,21 @@ function buildSkin(cells: readonly [number, number, number], bar: number): Skin 
     }
   }
   return skin;
+}
+
+/** The bar's surface blown up to a ball. */
+function swell(skin: Skin): Skin {
+  const round = (v: Vertex): Vertex => {
+    const away = v.position.map((x, a) => (x - SIZE[a]! / 2) / SIZE[a]!);
+    const length = Math.hypot(...away);
+    const normal = away.map((x) => x / length) as [number, number, number];
+    return {
+      ...v,
+      normal,
+      position: normal.map((x, a) => SIZE[a]! / 2 + 30 * x) as [number, number, number],
+    };
+  };
+  return { ...skin, vertices: skin.vertices.map(round), edgeVertices: skin.edgeVertices.map(round) };
 }
 
 class GlbWriter {
@@ -386,12 +403,17 @@ function stepsOf(options: TinyOptions) {
 
 export function tinyScene(options: TinyOptions = {}): TinyScene {
   const bars = options.bars ?? 1;
-  const skins = Array.from({ length: bars }, (_, bar) => buildSkin(options.cells ?? [12, 4, 3], bar));
+  const { ball } = options;
+  const built = Array.from({ length: bars }, (_, bar) => buildSkin(options.cells ?? [12, 4, 3], bar));
+  const skins = ball === undefined ? built : built.map(swell);
   const writer = new GlbWriter();
   const meshes = skins.flatMap((skin, bar) => writeBar(writer, skin, `p${bar}`));
   const side = new Map<string, ArrayBuffer>();
   const steps = stepsOf(options);
-  const quantities = options.complex ? [...QUANTITIES, IMAGINARY] : QUANTITIES;
+  const all = options.complex ? [...QUANTITIES, IMAGINARY] : QUANTITIES;
+  const quantities = all.map((q) =>
+    ball !== undefined && q.id === "temperature" ? { ...q, at: () => [ball] } : q,
+  );
   const results = quantities.map((q) => {
     const own = steps.filter((s) => q.onlyStep === undefined || q.onlyStep === s.id);
     const values = own.map(({ id: step }) => {
