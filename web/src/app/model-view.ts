@@ -261,7 +261,6 @@ export class ModelView {
 
   dispose(): void {
     this.model.dispose();
-    this.picker.dispose();
   }
 }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays against the drawn skin: one hierarchy a part, rebuilt to the deformed shape only when it is asked.
-import { BufferAttribute, BufferGeometry, DoubleSide, Matrix4, Ray, Vector3 } from "three";
-import { MeshBVH } from "three-mesh-bvh";
-import { GenerateMeshBVHWorker } from "three-mesh-bvh/worker";
+// Rays against the drawn skin, also while it moves: one hierarchy a part.
+import { Matrix4, Ray, Vector3 } from "three";
 import type { ScenePart } from "../scene";
 import { type Cut, kept } from "./cuts";
+import { growTrees } from "./grow-trees";
+import { drawnAt, MovingTree, type Shape } from "./moving-tree";
 import { barycentric, cornersOf, type Place } from "./sample";
-
-/** Triangles above which the hierarchy is built in a worker, so that the page stays awake. */
-const WORKER_FROM = 150_000;
 
 export interface Hit extends Place {
   /** Metres along the ray. */
@@ -29,23 +26,16 @@ export type PickLook = "shown" | "clear" | "hidden";
 
 interface Target {
   readonly part: ScenePart;
-  readonly geometry: BufferGeometry;
-  tree: MeshBVH | null;
-  stale: boolean;
-}
-
-/** The drawn positions; a worker that builds a hierarchy puts another array in their place. */
-function positionsOf(target: Target): Float32Array {
-  return target.geometry.getAttribute("position").array as Float32Array;
+  tree: MovingTree | null;
 }
 
 const scratchInverse = new Matrix4();
 const scratchRay = new Ray();
 const scratchA = new Vector3();
-const scratchB = new Vector3();
-const scratchC = new Vector3();
 const scratchSide = new Vector3();
 const scratchNormal = new Vector3();
+const scratchPlace = new Float64Array(3);
+const scratchCorners = [new Vector3(), new Vector3(), new Vector3()] as const;
 const NOTHING: Cast = Object.freeze({ hit: null, inside: null });
 
 export class Picker {
@@ -58,25 +48,23 @@ export class Picker {
   #cuts: readonly Cut[] = [];
 
   constructor(parts: readonly ScenePart[]) {
-    this.#targets = parts.map((part) => {
-      const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new BufferAttribute(part.positions.slice(), 3));
-      geometry.setIndex(new BufferAttribute(part.indices.slice(), 1));
-      return { part, geometry, tree: null, stale: false };
-    });
+    this.#targets = parts.map((part) => ({ part, tree: null }));
   }
 
-  /** Builds the hierarchies; rays miss until it is done. */
-  async build(): Promise<void> {
-    for (const target of this.#targets) {
-      if (target.part.indices.length / 3 >= WORKER_FROM) {
-        const worker = new GenerateMeshBVHWorker();
-        target.tree = await worker.generate(target.geometry, { indirect: true });
-        worker.dispose();
-      } else {
-        target.tree = new MeshBVH(target.geometry, { indirect: true });
-      }
+  /** Builds the hierarchies; rays miss until it is done, and until `from` has come. */
+  async build(from: Promise<unknown> = Promise.resolve()): Promise<void> {
+    const [trees] = await Promise.all([growTrees(this.#targets.map((t) => t.part)), from]);
+    for (const [i, target] of this.#targets.entries()) {
+      const data = trees[i];
+      target.tree = data ? new MovingTree(target.part, data) : null;
+      target.tree?.setShape(this.#shapeOf(i));
     }
+  }
+
+  #shapeOf(part: number): Shape {
+    const re = this.#displacements[part] ?? null;
+    const im = this.#displacementsIm?.[part] ?? null;
+    return { re, im, factorRe: this.#factor, factorIm: this.#factorIm };
   }
 
   /** The shape that is drawn: displacement (3 floats a vertex) times factor, per part; `im` of a complex mode. */
@@ -90,7 +78,7 @@ export class Picker {
     this.#displacementsIm = im;
     this.#factor = factor;
     this.#factorIm = factorIm;
-    for (const target of this.#targets) target.stale = true;
+    for (const [i, target] of this.#targets.entries()) target.tree?.setShape(this.#shapeOf(i));
   }
 
   setLooks(looks: readonly PickLook[]): void {
@@ -99,19 +87,6 @@ export class Picker {
 
   setCuts(cuts: readonly Cut[]): void {
     this.#cuts = cuts;
-  }
-
-  #refresh(index: number, target: Target): void {
-    target.stale = false;
-    const { part } = target;
-    const positions = positionsOf(target);
-    const re = this.#displacements[index];
-    const im = this.#displacementsIm?.[index];
-    for (let i = 0; i < positions.length; ++i) {
-      const moved = (re?.[i] ?? 0) * this.#factor + (im?.[i] ?? 0) * this.#factorIm;
-      positions[i] = (part.positions[i] ?? 0) + (Number.isNaN(moved) ? 0 : moved);
-    }
-    target.tree?.refit();
   }
 
   /** First hit of a ray in world metres; `world` is the matrix from model units to world. */
@@ -130,12 +105,13 @@ export class Picker {
     const shown = this.#nearest("shown", reach);
     const found = shown ?? this.#nearest("clear", reach);
     if (!found) return NOTHING;
-    const { index, target, triangle, point } = found;
-    const corners = cornersOf(target.part, triangle);
-    const positions = positionsOf(target);
-    const [a, b, c] = [scratchA, scratchB, scratchC].map((v, k) =>
-      v.fromArray(positions, 3 * (corners[k] ?? 0)),
-    );
+    const { index, target, triangle, distance: along } = found;
+    const point = scratchRay.at(along, new Vector3());
+    const shape = this.#shapeOf(index);
+    const [a, b, c] = cornersOf(target.part, triangle).map((vertex, k) => {
+      drawnAt(target.part, shape, vertex, scratchPlace);
+      return (scratchCorners[k] ?? new Vector3()).fromArray(scratchPlace);
+    });
     if (!a || !b || !c) return NOTHING;
     if (range.enters > 0 && target.part.info.kind === "solid" && this.#fromBehind(a, b, c)) {
       const inside = scratchRay.origin.clone().applyMatrix4(world);
@@ -154,16 +130,14 @@ export class Picker {
 
   /** In model units, along the scratch ray. */
   #nearest(look: PickLook, reach: number) {
-    let best: { index: number; target: Target; triangle: number; point: Vector3; distance: number } | null =
-      null;
-    for (let index = 0; index < this.#targets.length; ++index) {
-      const target = this.#targets[index];
-      if (!target?.tree || (this.#looks[index] ?? "shown") !== look) continue;
-      if (target.stale) this.#refresh(index, target);
-      const hit = target.tree.raycastFirst(scratchRay, DoubleSide);
-      if (!hit || hit.faceIndex === undefined || hit.faceIndex === null || hit.distance > reach) continue;
-      if (best && best.distance <= hit.distance) continue;
-      best = { index, target, triangle: hit.faceIndex, point: hit.point, distance: hit.distance };
+    let best: { index: number; target: Target; triangle: number; distance: number } | null = null;
+    const { origin, direction } = scratchRay;
+    const from = [origin.x, origin.y, origin.z] as const;
+    const along = [direction.x, direction.y, direction.z] as const;
+    for (const [index, target] of this.#targets.entries()) {
+      if (!target.tree || (this.#looks[index] ?? "shown") !== look) continue;
+      const hit = target.tree.cast(from, along, best?.distance ?? reach);
+      if (hit && !(best && best.distance <= hit.distance)) best = { index, target, ...hit };
     }
     return best;
   }
@@ -173,14 +147,11 @@ export class Picker {
     const target = this.#targets[place.part];
     const point = new Vector3();
     if (!target) return point;
-    if (target.stale) this.#refresh(place.part, target);
+    const shape = this.#shapeOf(place.part);
     for (const [k, vertex] of cornersOf(target.part, place.triangle).entries()) {
-      point.addScaledVector(scratchA.fromArray(positionsOf(target), 3 * vertex), place.weights[k] ?? 0);
+      drawnAt(target.part, shape, vertex, scratchPlace);
+      point.addScaledVector(scratchA.fromArray(scratchPlace), place.weights[k] ?? 0);
     }
     return point.applyMatrix4(world);
-  }
-
-  dispose(): void {
-    for (const target of this.#targets) target.geometry.dispose();
   }
 }
