@@ -137,13 +137,13 @@ export const reviewTests = [
               const started = new Worker(address, { type: "module" });
               started.onmessage = (event) => resolve(Object.keys(event.data));
               started.onerror = () => resolve("failed");
-              const position = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]);
-              const index = new Uint32Array([0, 1, 2]);
-              started.postMessage({ position, index, options: { indirect: true } });
+              const positions = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+              const indices = new Uint32Array([0, 1, 2]);
+              started.postMessage({ positions, indices });
             }),
           worker,
         );
-        assert.ok(Array.isArray(answered), `the worker ${answered}`);
+        assert.deepEqual(answered, ["nodes", "order"]);
         await context.close();
       } finally {
         end();
