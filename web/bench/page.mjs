@@ -128,26 +128,28 @@ async function until(page, read, accept) {
   }
 }
 
-async function measureLoading(page, client, asked, scene) {
+async function measureLoading(page, client, asked) {
   const stop = watchMemory(page, client);
   await page.waitForFunction(() => globalThis.feelem);
   await page.evaluate(() => globalThis.feelem.ready);
-  const times = await page.evaluate((name) => {
-    const [entry] = performance.getEntriesByType("resource").filter((e) => e.name.endsWith(name));
+  const times = await page.evaluate(() => {
     const { firstModelPicture, stalls } = globalThis.watched;
     const longest = stalls.reduce((most, [, ms]) => Math.max(most, ms), 0);
     return {
       firstPictureMs: Math.round(firstModelPicture),
-      sceneFileCompleteMs: Math.round(entry.responseEnd),
+      firstPictureAt: performance.timeOrigin + firstModelPicture,
       readyMs: Math.round(performance.now()),
       longestStallMs: Math.round(longest),
     };
-  }, scene);
+  });
   const most = await stop();
-  const sent = asked.filter((a) => a.path.includes(".glb") || a.path.includes(".bin"));
+  const data = asked.filter((a) => a.path.includes(".glb") || a.path.includes(".bin"));
+  const { firstPictureAt, ...figures } = times;
+  const sentBy = ({ progress }) => progress.findLast(([at]) => at <= firstPictureAt)?.[1] ?? 0;
   return {
-    ...times,
-    askedMB: inMB(sent.reduce((sum, a) => sum + a.bytes, 0)),
+    ...figures,
+    sentMBAtFirstPicture: inMB(data.reduce((sum, a) => sum + sentBy(a), 0)),
+    sentMB: inMB(data.reduce((sum, a) => sum + a.sent, 0)),
     memoryMB: await memories(page, client, most),
   };
 }
@@ -296,7 +298,7 @@ async function withScene(browser, name, model, measure) {
   const server = await serveFiles(resolve(options.work), RATE);
   const opened = await openWatched(browser, server.url, `${name}.glb`);
   try {
-    const figures = await measure(opened, server.asked, `${name}.glb`);
+    const figures = await measure(opened, server.asked);
     if (opened.problems.length > 0) throw new Error(opened.problems.join("; "));
     return { sceneFileMB: inMB(statSync(scene).size), ...figures };
   } finally {
@@ -305,9 +307,9 @@ async function withScene(browser, name, model, measure) {
   }
 }
 
-async function large(opened, asked, scene) {
+async function large(opened, asked) {
   const { page, client } = opened;
-  const loading = await measureLoading(page, client, asked, scene);
+  const loading = await measureLoading(page, client, asked);
   const { parts } = await page.evaluate(() => globalThis.feelem.scene());
   const triangles = parts.reduce((sum, part) => sum + part.triangles, 0);
   const resultSwitch = await measureSwitch(page, (await page.evaluate(state)).presentation);
@@ -327,9 +329,9 @@ async function large(opened, asked, scene) {
   };
 }
 
-async function manyParts(opened, asked, scene) {
+async function manyParts(opened, asked) {
   const { page, client } = opened;
-  const loading = await measureLoading(page, client, asked, scene);
+  const loading = await measureLoading(page, client, asked);
   const { parts } = await page.evaluate(() => globalThis.feelem.scene());
   const drawCalls = await callsOfAFrame(page);
   return {
@@ -351,7 +353,7 @@ const totals = [one.loading, one.steps, many.loading].map((m) => m.memoryMB.most
 const within = {
   memory: Math.max(...totals) <= BUDGET.memoryMB,
   drawCalls: many.drawCalls <= BUDGET.drawCalls,
-  firstPictureBeforeAllData: one.loading.firstPictureMs < one.loading.sceneFileCompleteMs,
+  firstPictureBeforeAllData: one.loading.sentMBAtFirstPicture < one.loading.sentMB,
   resultSwitchWithoutGeometry: one.resultSwitch.bufferBytes <= 8 * one.vertices,
 };
 const [{ model: processor }] = cpus();

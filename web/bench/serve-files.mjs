@@ -19,7 +19,7 @@ function find(path, folder) {
   return null;
 }
 
-/** `asked` remembers each path with its size and when its last byte went. */
+/** `asked` remembers each path with its size and what had been sent when. */
 export async function serveFiles(folder, bytesPerSecond) {
   const asked = [];
   const server = createServer(async (request, response) => {
@@ -31,19 +31,18 @@ export async function serveFiles(folder, bytesPerSecond) {
     }
     const type = TYPES[extname(path)] ?? "application/octet-stream";
     response.writeHead(200, { "Content-Type": type, "Content-Length": found.size });
-    const entry = { path, bytes: found.size, end: null };
+    const entry = { path, sent: 0, progress: [] };
     asked.push(entry);
     const start = Date.now();
-    let sent = 0;
     for await (const piece of createReadStream(found.file, { highWaterMark: PIECE })) {
       if (response.destroyed) return;
       if (!response.write(piece)) await new Promise((go) => response.once("drain", go));
-      sent += piece.length;
-      const ahead = (1000 * sent) / bytesPerSecond - (Date.now() - start);
+      entry.sent += piece.length;
+      entry.progress.push([Date.now(), entry.sent]);
+      const ahead = (1000 * entry.sent) / bytesPerSecond - (Date.now() - start);
       if (ahead > 5) await sleep(ahead);
     }
     response.end();
-    entry.end = Date.now();
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   const close = () => {

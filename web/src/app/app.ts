@@ -84,12 +84,17 @@ export class App implements ApiSource {
   }
 
   async start(): Promise<void> {
-    await this.view.refresh();
+    // The shape first, as soon as it is known; then colours, then all that one can point at.
+    this.fit();
+    const shown = this.view.refresh();
+    const pointed = this.view.picker.build(shown);
+    await shown;
     this.fit();
     const links = this.feature<Links>("links");
     await links.read();
     this.stage.orbit.onMove(() => links.later());
-    await this.view.picker.build();
+    await this.view.edgesCame;
+    await pointed;
     await this.#vr.ask();
   }
 

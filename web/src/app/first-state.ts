@@ -14,16 +14,18 @@ const GHOST_UP_TO = 300_000;
 export async function fetchScene(url: string): Promise<SceneData> {
   const carried = carriedFiles();
   if (carried) return openScene(await carried("scene.glb"), carried);
-  const fetchBytes = async (address: string) => {
+  const asked = async (address: string) => {
     const response = await fetch(address);
     if (!response.ok) throw new Error(`${response.status} ${response.statusText}`.trim());
-    return response.arrayBuffer();
+    return response;
   };
   const base = new URL(url, document.baseURI);
-  const bytes = await fetchBytes(base.href).catch((error: Error) => {
+  const bytes = await asked(base.href).catch((error: Error) => {
     throw new Error(`The scene '${url}' cannot be read: ${error.message}`);
   });
-  return openScene(bytes, (uri) => fetchBytes(new URL(uri, base).href));
+  // Read as it comes, so that the shape is drawn while results are still on their way.
+  const coming = bytes.body ?? (await bytes.arrayBuffer());
+  return openScene(coming, async (uri) => (await asked(new URL(uri, base).href)).arrayBuffer());
 }
 
 export function firstState(scene: SceneData): ViewState {

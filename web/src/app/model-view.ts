@@ -30,6 +30,8 @@ export class ModelView {
   readonly scene: SceneData;
   readonly model: ModelObject;
   readonly picker: Picker;
+  /** Settled when the element edges are drawn, or when they cannot be. */
+  readonly edgesCame: Promise<void>;
   readonly #store: Store;
   readonly #changed: () => void;
   #shown: readonly Shown[] = [];
@@ -52,6 +54,15 @@ export class ModelView {
     this.#changed = changed;
     this.model = new ModelObject(scene);
     this.picker = new Picker(scene.parts);
+    this.edgesCame = scene.edgesCame.then(
+      () => this.#drawEdges(),
+      (error: Error) => this.#store.set({ problem: `Edges of elements: ${error.message}` }),
+    );
+  }
+
+  #drawEdges(): void {
+    this.model.addEdges(this.scene.parts);
+    if (!Number.isNaN(this.#loadedStep)) this.#changed();
   }
 
   get shown(): readonly Shown[] {
@@ -125,7 +136,11 @@ export class ModelView {
   displacementAt(part: number, vertex: number): readonly [number, number, number] | null {
     const vectors = this.#displacements[part];
     if (!vectors || vertex < 0) return null;
-    return [vectors[3 * vertex] ?? 0, vectors[3 * vertex + 1] ?? 0, vectors[3 * vertex + 2] ?? 0];
+    const by = (axis: number) => {
+      const moved = vectors[3 * vertex + axis] ?? 0;
+      return Number.isNaN(moved) ? 0 : moved;
+    };
+    return [by(0), by(1), by(2)];
   }
 
   applyGhost(): void {
@@ -143,13 +158,19 @@ export class ModelView {
     if (shape) wanted.add(shape);
     const other = this.#imaginaryOf(shape, step);
     if (other) wanted.add(other);
+    // Nothing is coloured yet: the colour does not wait for what is heard and felt.
+    const seen = Number.isNaN(this.#loadedStep) ? drivenBy(doc, "colour") : null;
+    const first = presented.find((p) => p.key === seen && p.result);
     const problems: string[] = [];
     const loaded = new Map<SceneResult, Fields>();
     const nothing: Fields = this.scene.parts.map(() => null);
     await Promise.all(
       [...wanted].map(async (result) => {
         try {
-          loaded.set(result, await this.scene.loadField(result, step));
+          const fields = await this.scene.loadField(result, step);
+          loaded.set(result, fields);
+          if (first?.result === result && turn === this.#turn)
+            this.#colourEarly(presented, result, fields, step);
         } catch (error) {
           problems.push(`${result.name}: ${error instanceof Error ? error.message : String(error)}`);
           loaded.set(result, nothing);
@@ -191,6 +212,17 @@ export class ModelView {
       );
     }
     this.model.setDisplacements(this.#displacements, this.#imaginary);
+  }
+
+  /** Until the rest has come nothing can be pointed at: nobody takes what is still on its way for missing. */
+  #colourEarly(all: readonly Presented[], result: SceneResult, came: Fields, step: number): void {
+    const nothing: Fields = this.scene.parts.map(() => null);
+    this.#shown = all.map((p) => {
+      const fields = p.result === result ? came : nothing;
+      return { ...p, fields, range: rangeOf(p, step, fields) };
+    });
+    this.#applyColour();
+    this.#changed();
   }
 
   #applyColour(): void {
@@ -264,7 +296,9 @@ export class ModelView {
   }
 }
 
+/** Three numbers a vertex; NaN where missing, which moves nothing. */
 function toVectors(field: PartField): Float32Array {
+  if (field.components === 3) return field.values;
   const count = field.state.length;
   const out = new Float32Array(3 * count);
   for (let i = 0; i < count; ++i) {
@@ -278,8 +312,10 @@ function largestOf(displacements: readonly (Float32Array | null)[]): number {
   let largest = 0;
   for (const vectors of displacements) {
     for (let i = 0; vectors && i + 2 < vectors.length; i += 3) {
-      largest = Math.max(largest, Math.hypot(vectors[i] ?? 0, vectors[i + 1] ?? 0, vectors[i + 2] ?? 0));
+      const [x, y, z] = [vectors[i] ?? 0, vectors[i + 1] ?? 0, vectors[i + 2] ?? 0];
+      const square = x * x + y * y + z * z;
+      if (square > largest) largest = square;
     }
   }
-  return largest;
+  return Math.sqrt(largest);
 }

@@ -83,7 +83,7 @@ export class Shell {
           if (!file) throw new Error("drop it together with the scene");
           return file.arrayBuffer();
         };
-        const opened = await openScene(await scene.arrayBuffer(), beside);
+        const opened = await openScene(scene.stream(), beside);
         // The view in the address was that of another scene.
         history.replaceState(history.state, "", location.pathname + location.search);
         await this.#show(opened, scene.name);

@@ -103,7 +103,9 @@ export function mergeFaces(parts: readonly ScenePart[]): Merged {
   const { geometry } = merged;
   const normal = normals.length === 1 && only ? only : join(new Float32Array(total(normals)), normals);
   const attribute = new BufferAttribute(normal, 3);
-  if (normals.length > 1) attribute.onUpload(letGo);
+  attribute.onUpload(letGo);
+  // Only the card needs them.
+  for (const part of parts) part.normals = null;
   const count = normal.length / 3;
   geometry.setAttribute("normal", attribute);
   geometry.setAttribute("value", changing(count, 1));

@@ -29,15 +29,15 @@ export class ModelObject {
   readonly #table: PartTable;
   readonly #uniforms: Uniforms;
   readonly #faces: Merged;
-  readonly #edges: Merged | null;
+  #edges: Merged | null = null;
   /** For each edge vertex, a vertex of the faces with the same node; -1 if none. */
-  readonly #edgeSource: Int32Array | null;
+  #edgeSource: Int32Array | null = null;
   readonly #shown: FieldMaterial;
   readonly #clear: FieldMaterial;
   readonly #clearMesh: Mesh;
   readonly #edgeMaterial: EdgeMaterial;
   readonly #ghostMaterial: EdgeMaterial;
-  readonly #typicalEdge: number;
+  #typicalEdge = 0;
   #ghost: LineSegments | null = null;
   #edgesWanted = true;
   #palette: Palette | null = null;
@@ -58,10 +58,7 @@ export class ModelObject {
           scratchScale.set(positions[i] ?? 0, positions[i + 1] ?? 0, positions[i + 2] ?? 0),
         );
     }
-    this.#typicalEdge = typicalEdge(scene.parts);
     this.#faces = mergeFaces(scene.parts);
-    this.#edges = mergeEdges(scene.parts);
-    this.#edgeSource = this.#edges && edgeSources(this.#faces.slices, this.#edges.slices);
     const shown = new Mesh(this.#faces.geometry, this.#shown);
     this.#clearMesh = new Mesh(this.#faces.geometry, this.#clear);
     this.#clearMesh.visible = false;
@@ -69,10 +66,25 @@ export class ModelObject {
     const drawn = [shown, this.#clearMesh];
     for (const mesh of drawn) mesh.frustumCulled = false;
     this.group.add(...drawn);
-    if (this.#edges) this.#addLines(new LineSegments(this.#edges.geometry, this.#edgeMaterial), 1);
     const diagonal = this.box.getSize(new Vector3()).length();
     setUniform(this.#uniforms, "hatchScale", diagonal > 0 ? 60 / diagonal : 1);
     setUniform(this.#uniforms, "capHatch", diagonal > 0 ? 90 / diagonal : 1);
+  }
+
+  /** Element edges, which come after the faces. */
+  addEdges(parts: readonly ScenePart[]): void {
+    const edges = mergeEdges(parts);
+    if (!edges || this.#edges) return;
+    this.#typicalEdge = typicalEdge(parts);
+    this.#edges = edges;
+    this.#edgeSource = edgeSources(this.#faces.slices, edges.slices);
+    for (const name of ["displacement", "displacementIm"]) {
+      if (!this.#faces.geometry.hasAttribute(name)) continue;
+      const own = edges.geometry.getAttribute("displacement");
+      edges.geometry.setAttribute(name, name === "displacement" ? own : own.clone());
+      this.#moveLines(name);
+    }
+    this.#addLines(new LineSegments(edges.geometry, this.#edgeMaterial), 1);
   }
 
   #addLines(lines: LineSegments, order: number): void {
@@ -150,6 +162,11 @@ export class ModelObject {
       }
     }
     target.needsUpdate = true;
+    this.#moveLines(name);
+  }
+
+  #moveLines(name: string): void {
+    const target = this.#faces.geometry.getAttribute(name) as BufferAttribute;
     const lines = this.#edges?.geometry.getAttribute(name) as BufferAttribute | undefined;
     if (!lines || !this.#edgeSource) return;
     for (let i = 0; i < this.#edgeSource.length; ++i) {

@@ -9,17 +9,22 @@ interface Entry {
   bytes: number;
 }
 
-function bytesOf(fields: FieldList): number {
-  return fields.reduce((sum, f) => sum + (f ? f.values.byteLength + f.state.byteLength : 0), 0);
-}
-
 export class FieldCache {
   readonly #room: number;
+  readonly #counts: (buffer: ArrayBufferLike) => boolean;
   readonly #entries = new Map<string, Entry>();
   #bytes = 0;
 
-  constructor(room: number) {
+  /** `counts`: whether letting a buffer go would make room. */
+  constructor(room: number, counts: (buffer: ArrayBufferLike) => boolean = () => true) {
     this.#room = room;
+    this.#counts = counts;
+  }
+
+  /** Parts share the buffer of a side file. */
+  #bytesOf(fields: FieldList): number {
+    const buffers = new Set(fields.flatMap((f) => (f ? [f.values.buffer, f.state.buffer] : [])));
+    return [...buffers].reduce((sum, b) => sum + (this.#counts(b) ? b.byteLength : 0), 0);
   }
 
   /** Bytes of what is kept. */
@@ -39,7 +44,7 @@ export class FieldCache {
     entry.field.then(
       (fields) => {
         if (this.#entries.get(key) !== entry) return;
-        entry.bytes = bytesOf(fields);
+        entry.bytes = this.#bytesOf(fields);
         this.#bytes += entry.bytes;
         this.#shrink(key);
       },

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The few parts of glTF 2.0 that a scene uses, read with every length checked against the bytes at hand.
+import type { OwnBytes } from "./own-bytes";
 import { SceneError } from "./scene-types";
 
 export interface GltfAccessor {
@@ -54,7 +55,7 @@ export interface Container {
   readonly bin: Uint8Array | null;
 }
 
-function parseJson(bytes: Uint8Array): GltfJson {
+export function parseJson(bytes: Uint8Array): GltfJson {
   let json: unknown;
   try {
     json = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
@@ -67,12 +68,19 @@ function parseJson(bytes: Uint8Array): GltfJson {
   return json as GltfJson;
 }
 
-/** Takes .glb (binary) and .gltf (JSON with buffers beside it). */
-export function parseContainer(bytes: Uint8Array): Container {
+/** Whether the first 12 bytes are those of a .glb; false: it may be a .gltf. */
+export function readHead(bytes: Uint8Array): boolean {
   if (bytes.byteLength < 12) throw new SceneError(`not a scene: only ${bytes.byteLength} bytes`);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (view.getUint32(0, true) !== MAGIC) return { json: parseJson(bytes), bin: null };
+  if (view.getUint32(0, true) !== MAGIC) return false;
   if (view.getUint32(4, true) !== 2) throw new SceneError("not a glTF 2.0 file");
+  return true;
+}
+
+/** Takes .glb (binary) and .gltf (JSON with buffers beside it). */
+export function parseContainer(bytes: Uint8Array): Container {
+  if (!readHead(bytes)) return { json: parseJson(bytes), bin: null };
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let json: GltfJson | null = null;
   let bin: Uint8Array | null = null;
   for (let at = 12; at + 8 <= bytes.byteLength; ) {
@@ -113,28 +121,26 @@ function readOne(view: DataView, at: number, type: number, normalized: boolean):
   }
 }
 
-const SIDE_FILES = 8;
-
 export interface Numbers {
   readonly components: number;
   readonly count: number;
   readonly data: Float32Array | Uint32Array;
 }
 
-/** Reads accessors; side buffers are fetched once and kept. */
+/** Reads accessors; who asks for the same side buffer while it comes shares it, then it is theirs alone. */
 export class AccessorReader {
   readonly #json: GltfJson;
-  readonly #bin: Uint8Array | null;
+  readonly #own: OwnBytes;
   readonly #fetchSide: FetchSide;
   readonly #byName = new Map<string, number>();
-  readonly #side: number[] = [];
-  readonly #buffers = new Map<number, Promise<Uint8Array>>();
+  readonly #kept = new WeakSet<ArrayBufferLike>();
+  readonly #coming = new Map<number, Promise<Uint8Array>>();
 
-  constructor(container: Container, fetchSide: FetchSide) {
-    this.#json = container.json;
-    this.#bin = container.bin;
+  constructor(json: GltfJson, own: OwnBytes, fetchSide: FetchSide) {
+    this.#json = json;
+    this.#own = own;
     this.#fetchSide = fetchSide;
-    for (const [i, accessor] of (container.json.accessors ?? []).entries()) {
+    for (const [i, accessor] of (json.accessors ?? []).entries()) {
       if (accessor.name && !this.#byName.has(accessor.name)) this.#byName.set(accessor.name, i);
     }
   }
@@ -157,10 +163,10 @@ export class AccessorReader {
     const size = BYTES[accessor.componentType];
     const view = this.#json.bufferViews?.[accessor.bufferView ?? -1];
     if (!components || !size || !view) throw new SceneError(`${label}: not data this page can read`);
-    const buffer = await this.#buffer(view.buffer);
+    const buffer = await this.#viewBytes(accessor.bufferView ?? -1, view);
     const count = accessor.count;
     const stride = view.byteStride ?? components * size;
-    const start = (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
+    const start = accessor.byteOffset ?? 0;
     const end = count > 0 ? start + (count - 1) * stride + components * size : start;
     if (
       !Number.isInteger(count) ||
@@ -191,33 +197,39 @@ export class AccessorReader {
     return { components, count, data };
   }
 
-  #buffer(index: number): Promise<Uint8Array> {
-    let promise = this.#buffers.get(index);
-    if (!promise) {
-      promise = this.#loadBuffer(index);
-      this.#buffers.set(index, promise);
-      promise.catch(() => this.#buffers.delete(index));
-      // Results are copied out of a side file at once: only the last few are worth keeping.
-      if (this.#json.buffers?.[index]?.uri !== undefined) this.#side.push(index);
-      if (this.#side.length > SIDE_FILES) this.#buffers.delete(this.#side.shift() ?? -1);
+  async #viewBytes(index: number, view: GltfBufferView): Promise<Uint8Array> {
+    const buffer = this.#json.buffers?.[view.buffer];
+    if (!buffer) throw new SceneError(`the scene has no buffer ${view.buffer}`);
+    if (buffer.uri === undefined) {
+      const own = await this.#own.view(index);
+      this.#kept.add(own.buffer);
+      return own;
     }
-    return promise;
+    const bytes = await this.#side(view.buffer, buffer.uri);
+    const start = view.byteOffset ?? 0;
+    return bytes.subarray(start, start + view.byteLength);
   }
 
-  async #loadBuffer(index: number): Promise<Uint8Array> {
-    const buffer = this.#json.buffers?.[index];
-    if (!buffer) throw new SceneError(`the scene has no buffer ${index}`);
-    if (buffer.uri === undefined) {
-      if (!this.#bin) throw new SceneError("the scene's binary part is missing");
-      return this.#bin;
+  #side(index: number, uri: string): Promise<Uint8Array> {
+    let coming = this.#coming.get(index);
+    if (!coming) {
+      coming = this.#fetch(uri).finally(() => this.#coming.delete(index));
+      this.#coming.set(index, coming);
     }
+    return coming;
+  }
+
+  /** Whether a buffer is the scene's own, which stays in memory anyway. */
+  keeps(buffer: ArrayBufferLike): boolean {
+    return this.#kept.has(buffer);
+  }
+
+  async #fetch(uri: string): Promise<Uint8Array> {
     let bytes: ArrayBuffer;
     try {
-      bytes = await this.#fetchSide(buffer.uri);
+      bytes = await this.#fetchSide(uri);
     } catch (error) {
-      throw new SceneError(
-        `'${buffer.uri}', which stands beside the scene, cannot be read: ${String(error)}`,
-      );
+      throw new SceneError(`'${uri}', which stands beside the scene, cannot be read: ${String(error)}`);
     }
     return new Uint8Array(bytes);
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene bytes -> SceneData: typed arrays with solver ids, results on demand. No three.js, no DOM.
-import { differenceField } from "./difference";
-import { FieldCache, type FieldList } from "./field-cache";
+import { asFloats } from "./arrays";
 import {
   AccessorReader,
   type FetchSide,
@@ -10,22 +9,14 @@ import {
   type Numbers,
   parseContainer,
 } from "./gltf";
-import {
-  type AccessorNames,
-  type FeelemExtras,
-  MISSING,
-  type PartEdges,
-  type PartField,
-  SceneError,
-  type ScenePart,
-  type SceneResult,
-  SOLVER,
-} from "./scene-types";
+import { type OwnBytes, readComing, WholeBytes } from "./own-bytes";
+import { fieldLoader, type LoadField } from "./read-fields";
+import { type FeelemExtras, type NodeIds, type PartEdges, SceneError, type ScenePart } from "./scene-types";
 
 const ID_HIGH = 16_777_216;
 const LINES = 1;
 
-/** An opened scene. Everything but results is in memory; results are read when asked for, then kept. */
+/** An opened scene: its parts are in memory, edges come a little later; results are read when asked for, then kept. */
 export interface SceneData {
   readonly extras: FeelemExtras;
   /** Column-major: model units and axes -> metres, +Y up. */
@@ -33,12 +24,11 @@ export interface SceneData {
   readonly parts: readonly ScenePart[];
   /** Parts of the contract that this file has lost; the page says so and goes on. */
   readonly gaps: readonly string[];
+  /** Settled when the edges of the parts are there too. */
+  readonly edgesCame: Promise<void>;
   /** A result at a step, one entry a part; null where the part has no such result. Cached. */
-  loadField(result: SceneResult, step: number): Promise<readonly (PartField | null)[]>;
+  readonly loadField: LoadField;
 }
-
-/** Bytes of results that are kept for showing a step again. */
-const FIELD_ROOM = 160e6;
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] as const;
 
@@ -88,19 +78,6 @@ function asIndices(numbers: Numbers, vertices: number, label: string): Uint32Arr
   return indices;
 }
 
-function asFloats(numbers: Numbers, label: string, count: number, components: number): Float32Array {
-  if (
-    !(numbers.data instanceof Float32Array) ||
-    numbers.count !== count ||
-    numbers.components !== components
-  ) {
-    throw new SceneError(
-      `${label}: ${numbers.count} x ${numbers.components} values, expected ${count} x ${components}`,
-    );
-  }
-  return numbers.data;
-}
-
 class Opener {
   readonly gaps: string[] = [];
   readonly #json: GltfJson;
@@ -111,28 +88,27 @@ class Opener {
     this.#reader = reader;
   }
 
+  #gap(what: string): void {
+    if (!this.gaps.includes(what)) this.gaps.push(what);
+  }
+
   #primitive(found: Found) {
     const primitive = this.#json.meshes?.[found.node.mesh ?? -1]?.primitives?.[0];
     if (!primitive) throw new SceneError(`mesh of '${found.node.name ?? "a part"}' has no primitive`);
     return primitive;
   }
 
-  async #nodeIds(attributes: Record<string, number>, count: number, label: string): Promise<Float64Array> {
-    const ids = new Float64Array(count);
+  async #nodeIds(attributes: Record<string, number>, count: number, label: string): Promise<NodeIds> {
     if (attributes._NODE_ID === undefined) {
-      this.gaps.push(`node ids of ${label}`);
-      return ids;
+      this.#gap(`node ids of ${label}`);
+      return new Float32Array(count);
     }
-    ids.set(asFloats(await this.#reader.read(attributes._NODE_ID), `_NODE_ID of ${label}`, count, 1));
-    if (attributes._NODE_ID_HIGH !== undefined) {
-      const high = asFloats(
-        await this.#reader.read(attributes._NODE_ID_HIGH),
-        `_NODE_ID_HIGH of ${label}`,
-        count,
-        1,
-      );
-      for (let i = 0; i < count; ++i) ids[i] = (ids[i] ?? 0) + (high[i] ?? 0) * ID_HIGH;
-    }
+    const low = asFloats(await this.#reader.read(attributes._NODE_ID), `_NODE_ID of ${label}`, count, 1);
+    if (attributes._NODE_ID_HIGH === undefined) return low;
+    const numbers = await this.#reader.read(attributes._NODE_ID_HIGH);
+    const high = asFloats(numbers, `_NODE_ID_HIGH of ${label}`, count, 1);
+    const ids = new Float64Array(count);
+    for (let i = 0; i < count; ++i) ids[i] = (low[i] ?? 0) + (high[i] ?? 0) * ID_HIGH;
     return ids;
   }
 
@@ -167,7 +143,7 @@ class Opener {
     triangles: number,
   ): Promise<Uint32Array | null> {
     if (!name || !this.#reader.has(name)) {
-      this.gaps.push(`element ids of '${label}'`);
+      this.#gap(`element ids of '${label}'`);
       return null;
     }
     const ids = await this.#reader.readNamed(name);
@@ -192,93 +168,92 @@ class Opener {
     };
   }
 
+  /** Said before the edges come. */
+  checkEdges(found: Found): void {
+    if (this.#primitive(found).attributes._NODE_ID === undefined) this.#gap("node ids of edges");
+  }
+
   isLines(found: Found): boolean {
     return this.#primitive(found).mode === LINES;
   }
 }
 
-/** Puts one part's accessors of a result side by side and turns masked values back into missing. */
-async function readField(
-  reader: AccessorReader,
-  result: SceneResult,
-  names: AccessorNames,
-  mask: string | null,
-  vertices: number,
-): Promise<PartField | null> {
-  if (!names || (Array.isArray(names) && names.length === 0)) return null;
-  const list = typeof names === "string" ? [names] : names;
-  const pieces = await Promise.all(list.map((name) => reader.readNamed(name)));
-  const components = pieces.reduce((sum, piece) => sum + piece.components, 0);
-  if (components < result.components.length) {
-    throw new SceneError(`${result.id}: ${components} components stored, ${result.components.length} listed`);
+/** The bufferViews of the scene's own buffer that this page reads. */
+function wantedViews(json: GltfJson, found: readonly Found[], extras: FeelemExtras) {
+  const geometry = new Set<number>();
+  const views = new Set<number>();
+  const add = (accessor: number | undefined, to: Set<number>) => {
+    const view = json.accessors?.[accessor ?? -1]?.bufferView;
+    if (view !== undefined && json.buffers?.[json.bufferViews?.[view]?.buffer ?? -1]?.uri === undefined)
+      to.add(view);
+  };
+  const byName = new Map<string, number>();
+  for (const [i, { name }] of (json.accessors ?? []).entries())
+    if (name && !byName.has(name)) byName.set(name, i);
+  for (const { node, role } of found) {
+    if (role !== "part" && role !== "section" && role !== "edges") continue;
+    const primitive = json.meshes?.[node.mesh ?? -1]?.primitives?.[0];
+    for (const name of ["POSITION", "NORMAL", "_NODE_ID", "_NODE_ID_HIGH"])
+      add(primitive?.attributes[name], geometry);
+    add(primitive?.indices, geometry);
   }
-  const values = new Float32Array(vertices * components);
-  let first = 0;
-  for (const [k, piece] of pieces.entries()) {
-    const data = asFloats(piece, list[k] ?? result.id, vertices, piece.components);
-    for (let i = 0; i < vertices; ++i) {
-      for (let c = 0; c < piece.components; ++c) {
-        values[i * components + first + c] = data[i * piece.components + c] ?? Number.NaN;
-      }
-    }
-    first += piece.components;
-  }
-  const state = new Uint8Array(vertices).fill(SOLVER);
-  if (mask) {
-    const valid = asFloats(await reader.readNamed(mask), mask, vertices, 1);
-    for (let i = 0; i < vertices; ++i) {
-      state[i] = valid[i] ?? MISSING;
-      if (state[i] === MISSING) values.fill(Number.NaN, i * components, (i + 1) * components);
-    }
-  }
-  return { components, values, state };
+  for (const part of extras.parts) if (part.elements) add(byName.get(part.elements), geometry);
+  for (const { values } of extras.results)
+    for (const { accessors, valid } of values)
+      for (const name of [...accessors.flat(), ...(valid ?? [])]) if (name) add(byName.get(name), views);
+  return { geometry, all: new Set([...geometry, ...views]), results: views };
 }
 
-/** Throws SceneError on anything that is not a scene of ours. */
-export async function openScene(bytes: ArrayBuffer, fetchSide: FetchSide): Promise<SceneData> {
+interface Begun {
+  readonly json: GltfJson;
+  readonly start: (wanted: Iterable<number>) => OwnBytes;
+}
+
+function begin(bytes: ArrayBuffer): Begun {
   const container = parseContainer(new Uint8Array(bytes));
-  const required = container.json.extensionsRequired ?? [];
+  return { json: container.json, start: () => new WholeBytes(container) };
+}
+
+/** Throws SceneError on anything that is not a scene of ours. A stream is read as far as the page needs it. */
+export async function openScene(
+  bytes: ArrayBuffer | ReadableStream<Uint8Array>,
+  fetchSide: FetchSide,
+): Promise<SceneData> {
+  const { json, start } = bytes instanceof ArrayBuffer ? begin(bytes) : await readComing(bytes);
+  const required = json.extensionsRequired ?? [];
   if (required.includes("EXT_meshopt_compression")) {
     throw new SceneError("this scene is compressed; convert it again without --compress to open it here");
   }
-  const extras = readExtras(container.json);
-  const reader = new AccessorReader(container, fetchSide);
-  const opener = new Opener(container.json, reader);
-  const { matrix, found } = walk(container.json);
+  const extras = readExtras(json);
+  const { matrix, found } = walk(json);
+  const wanted = wantedViews(json, found, extras);
+  const own = start(wanted.all);
+  const reader = new AccessorReader(json, own, fetchSide);
+  const opener = new Opener(json, reader);
   const parts: ScenePart[] = [];
   for (const item of found) {
-    if ((item.role === "part" || item.role === "section") && !opener.isLines(item)) {
+    if ((item.role === "part" || item.role === "section") && !opener.isLines(item))
       parts.push(await opener.part(item, extras));
-    }
   }
   if (parts.length === 0) throw new SceneError("the scene has no part to draw");
-  for (const item of found) {
-    const part = item.role === "edges" ? parts.find((p) => p.index === item.part) : undefined;
-    if (part) part.edges = await opener.edges(item);
-  }
-  const cache = new FieldCache(FIELD_ROOM);
-  const loadField = (result: SceneResult, step: number): Promise<FieldList> => {
-    const { minus } = result;
-    if (minus) {
-      return cache.get(`${result.id}\n${step}`, async () => {
-        const [one, two] = await Promise.all([
-          loadField(minus.result, step),
-          loadField(minus.result, minus.step),
-        ]);
-        return parts.map((_, i) => differenceField(one[i] ?? null, two[i] ?? null));
-      });
-    }
-    const entry = result.values.find((v) => v.step === step);
-    if (!entry) return Promise.resolve(parts.map(() => null));
-    return cache.get(`${result.id}\n${step}`, () =>
-      Promise.all(
-        parts.map((part) => {
-          const slot = extras.parts.findIndex((p) => p.id === part.index);
-          const mask = entry.valid?.[slot] ?? null;
-          return readField(reader, result, entry.accessors[slot] ?? null, mask, part.nodeIds.length);
-        }),
-      ),
-    );
+  const edges = found.flatMap((item) => {
+    const part = item.role === "edges" && parts.find((p) => p.index === item.part);
+    return part ? [{ item, part }] : [];
+  });
+  for (const { item } of edges) opener.checkEdges(item);
+  const readEdges = async () => {
+    for (const { item, part } of edges) part.edges = await opener.edges(item);
+    // From here on the parts alone hold their arrays.
+    own.release([...wanted.geometry].filter((view) => !wanted.results.has(view)));
   };
-  return { extras, matrix, parts, gaps: opener.gaps, loadField };
+  const edgesCame = readEdges();
+  edgesCame.catch(() => {});
+  return {
+    extras,
+    matrix,
+    parts,
+    gaps: opener.gaps,
+    edgesCame,
+    loadField: fieldLoader(parts, extras, reader),
+  };
 }

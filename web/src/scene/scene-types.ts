@@ -79,10 +79,13 @@ export interface FeelemExtras {
   readonly [key: string]: unknown;
 }
 
+/** Single precision holds ids below 16,777,216 exactly. */
+export type NodeIds = Float32Array | Float64Array;
+
 export interface PartEdges {
   readonly positions: Float32Array;
   /** Solver ids; 0 = none. */
-  readonly nodeIds: Float64Array;
+  readonly nodeIds: NodeIds;
   readonly indices: Uint32Array;
 }
 
@@ -91,10 +94,11 @@ export interface ScenePart {
   readonly index: number;
   readonly info: ScenePartInfo;
   readonly positions: Float32Array;
-  readonly normals: Float32Array | null;
+  /** Let go by who draws them. */
+  normals: Float32Array | null;
   readonly indices: Uint32Array;
   /** Solver's node id of each vertex; 0 = none (the centre of a cut quad). */
-  readonly nodeIds: Float64Array;
+  readonly nodeIds: NodeIds;
   /** Solver's element id of each triangle; null when the scene has lost them. */
   readonly elementIds: Uint32Array | null;
   edges: PartEdges | null;
