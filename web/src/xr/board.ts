@@ -13,6 +13,8 @@ export interface BoardRect {
 export interface BoardButton extends BoardRect {
   readonly id: string;
   readonly press: () => void;
+  /** Of a slider: while it is held, the share of its width where the pointer is. */
+  readonly slide?: (share: number) => void;
 }
 
 export const BOARD_FONT = 'system-ui, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif';
@@ -71,6 +73,16 @@ export class Board {
     const y = (1 - v) * this.height;
     const inside = (b: BoardRect) => x >= b.x && x < b.x + b.width && y >= b.y && y < b.y + b.height;
     return this.#buttons.find(inside) ?? null;
+  }
+
+  /** How far along a button the place `u` of the board is, 0..1. */
+  shareOf(button: BoardRect, u: number): number {
+    return Math.min(Math.max((u * this.width - button.x) / button.width, 0), 1);
+  }
+
+  /** Buttons and where they are, for reports. */
+  buttonPlaces() {
+    return this.#buttons.map(({ id, x, y, width, height }) => ({ id, x, y, width, height }));
   }
 
   dispose(): void {

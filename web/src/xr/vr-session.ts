@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // One stay in the headset: pointers probe and press, grips move the model, boards show table, legend and numbers.
-import { Color, GridHelper, Matrix4, type Object3D, Raycaster, Vector3 } from "three";
+import { Color, GridHelper, Matrix4, Vector3 } from "three";
 import type { App } from "../app/app";
-import { Board, reportOf } from "./board";
 import { Grab } from "./grab";
-import { onTable, placeBefore, type Stand, standOf, TABLE_SIZE } from "./room";
+import { onTable, type Stand, standOf, TABLE_SIZE } from "./room";
+import { VrBoards } from "./vr-boards";
 import { VrButtons } from "./vr-buttons";
 import { VrDots } from "./vr-dots";
-import { CARD_SIZE, LEGEND_SIZE, paintVrCard, paintVrLegend } from "./vr-legend";
 import { VrMarkers } from "./vr-markers";
-import { PANEL_HEIGHT, PANEL_WIDTH, paintPanel } from "./vr-panel";
 import { VrPlanes } from "./vr-planes";
 import { type VrPointer, VrPointers } from "./vr-pointers";
 import { VrWalk } from "./vr-walk";
@@ -30,9 +28,7 @@ export class VrSession {
   readonly #pointers: VrPointers;
   readonly #markers: VrMarkers;
   readonly #grab = new Grab();
-  readonly #panel = new Board(PANEL_WIDTH, PANEL_HEIGHT, 0.62);
-  readonly #legend = new Board(LEGEND_SIZE.width, LEGEND_SIZE.height, 0.34);
-  readonly #card = new Board(CARD_SIZE.width, CARD_SIZE.height, 0.34);
+  readonly #boards: VrBoards;
   readonly #walk: VrWalk;
   readonly #planes: VrPlanes;
   readonly #buttons: VrButtons;
@@ -40,20 +36,20 @@ export class VrSession {
   readonly #removals: (() => void)[] = [];
   /** Stands still whatever the hands do with the model: something to hold on to for the eyes. */
   readonly #floor = new GridHelper(8, 16, 0x44525a, 0x323d44);
-  readonly #raycaster = new Raycaster();
   readonly #head = new Matrix4();
   #stand: Stand | null = null;
-  #hover: string | null = null;
-  #page = { page: "results", first: 0 };
-  #boardsStale = true;
-  #cardText = "";
 
   constructor(app: App, session: XRSession, ended: () => void) {
     this.#app = app;
     this.#session = session;
     const { stage, store } = app;
-    stage.scene.add(this.#floor, this.#panel.mesh, this.#legend.mesh, this.#card.mesh);
-    for (const board of [this.#panel, this.#legend, this.#card]) board.mesh.visible = false;
+    stage.scene.add(this.#floor);
+    this.#boards = new VrBoards(app, stage.scene, {
+      table: () => this.putOnTable(),
+      trueSize: () => this.putAtTrueSize(),
+      leave: () => this.leave(),
+      pages: () => app.panelPages(),
+    });
     this.#markers = new VrMarkers(stage.scene);
     this.#dots = new VrDots(stage.scene);
     this.#walk = new VrWalk(stage.renderer, stage.scene);
@@ -70,7 +66,7 @@ export class VrSession {
     this.#removals.push(
       stage.onFrame((_seconds, frame) => this.#frame(frame)),
       store.subscribe((state, before) => {
-        this.#boardsStale = true;
+        this.#boards.renew();
         if (state.person.leftHanded !== before.person.leftHanded) this.#placeBoards();
       }),
       stage.keepRunning(),
@@ -102,17 +98,19 @@ export class VrSession {
     this.#grab.letGo(pointer.name, stage.holder.matrix);
     this.#planes.letGo(pointer.name);
     this.#buttons.forget(pointer.name);
+    this.#boards.letGo(pointer.name);
     this.#dots.show(pointer.name, null);
   }
 
   #select(pointer: VrPointer, on: boolean): void {
     const { probing } = this.#app;
     this.#refresh(pointer);
-    const pressed = on ? this.#boardHit(pointer) : null;
+    const pressed = on ? this.#boards.hit(pointer.ray) : null;
     if (pressed) {
-      this.#panel.buttonAt(pressed.u, pressed.v)?.press();
+      this.#boards.press(pointer.name, pressed);
       return;
     }
+    if (!on && this.#boards.letGo(pointer.name)) return;
     if (on && this.#planes.take(pointer, this.#app.view.model.worldMatrix())) return;
     if (!on && this.#planes.letGo(pointer.name)) return;
     if (this.#pinchesAir(pointer, on)) {
@@ -143,13 +141,6 @@ export class VrSession {
     pointer.ray.direction.set(0, 0, -1).transformDirection(pointer.target.matrixWorld);
   }
 
-  #boardHit(pointer: VrPointer): { u: number; v: number; distance: number } | null {
-    if (!this.#panel.mesh.visible) return null;
-    this.#raycaster.ray.copy(pointer.ray);
-    const hit = this.#raycaster.intersectObject(this.#panel.mesh, false)[0];
-    return hit?.uv ? { u: hit.uv.x, v: hit.uv.y, distance: hit.distance } : null;
-  }
-
   #frame(frame: XRFrame | undefined): void {
     const { view, probing } = this.#app;
     if (!this.#findHead(frame)) return;
@@ -164,16 +155,18 @@ export class VrSession {
     for (const pointer of this.#pointers.rays()) {
       this.#buttons.update(pointer, pointing);
       if (this.#planes.drag(pointer, world)) continue;
-      const board = this.#boardHit(pointer);
+      const board = this.#boards.hit(pointer.ray);
+      if (this.#boards.slide(pointer.name, board)) continue;
       const hit = view.picker.ray(pointer.ray, world);
       const onBoard = board !== null && (!hit || board.distance < hit.distance);
-      if (onBoard) hover ??= this.#panel.buttonAt(board.u, board.v)?.id ?? null;
+      if (onBoard) hover ??= board.board.buttonAt(board.u, board.v)?.id ?? null;
       probing.move(pointer.name, pointer.kind, onBoard ? null : hit);
       this.#pointers.showHit(pointer, onBoard ? board.distance : (hit?.distance ?? null));
       this.#dots.show(pointer.name, onBoard ? null : (hit?.world ?? null));
     }
-    this.#paint(hover);
-    this.#markers.update(this.#app.overlay.vrMarks(), scratchHead.setFromMatrixPosition(this.#head));
+    const eye = scratchHead.setFromMatrixPosition(this.#head);
+    this.#boards.paint(hover, world, eye);
+    this.#markers.update(this.#app.overlay.vrMarks(), eye);
   }
 
   /** The middle of the eyes; false while nobody is tracked. */
@@ -190,17 +183,10 @@ export class VrSession {
     this.#stand = stand;
     this.#placeBoards();
     this.putOnTable();
-    this.#boardsStale = true;
   }
 
-  /** Panel and legend to the sides of the person's place; the other way round for the left-handed. */
   #placeBoards(): void {
-    const stand = this.#stand;
-    if (!stand) return;
-    const eye = new Vector3(stand.position.x, this.head.y, stand.position.z);
-    const hand = this.#app.store.state.person.leftHanded ? -1 : 1;
-    this.#placeBoard(this.#panel.mesh, placeBefore(stand, -0.63 * hand, 1.15, 0.98), eye);
-    this.#placeBoard(this.#legend.mesh, placeBefore(stand, 0.72 * hand, 1.12, 1.05), eye);
+    if (this.#stand) this.#boards.place(this.#stand, this.head.y);
   }
 
   /** The middle of the eyes. */
@@ -215,30 +201,18 @@ export class VrSession {
 
   nextPage(): void {
     const ids = ["results", ...this.#app.panelPages().map((page) => page.id)];
-    this.#page = { page: ids[(ids.indexOf(this.#page.page) + 1) % ids.length] ?? "results", first: 0 };
-    this.#boardsStale = true;
+    this.#boards.open(ids[(ids.indexOf(this.#boards.report().page) + 1) % ids.length] ?? "results");
   }
 
   /** What tests and scripts may know of the room. */
   report() {
-    const panel = reportOf(this.#panel);
-    const buttons = this.#panel.buttons.map(({ press: _, ...at }) => at);
     return {
       head: { position: this.head.toArray(), yaw: standOf(this.#head).yaw },
-      page: this.#page.page,
-      panel: panel && { ...panel, buttons },
-      legend: reportOf(this.#legend),
-      card: reportOf(this.#card),
+      ...this.#boards.report(),
       labels: this.#markers.report(),
       knobs: this.#planes.places,
       model: this.#app.view.model.worldMatrix().toArray(),
     };
-  }
-
-  #placeBoard(mesh: Object3D, at: Vector3, eye: Vector3): void {
-    mesh.position.copy(at);
-    mesh.lookAt(eye);
-    mesh.visible = true;
   }
 
   putOnTable(): void {
@@ -266,58 +240,6 @@ export class VrSession {
     return Math.max(middle.distanceTo(scratchHead.setFromMatrixPosition(this.#head)), 0.1);
   }
 
-  #paint(hover: string | null): void {
-    const { probing, view, actions } = this.#app;
-    if (this.#boardsStale || hover !== this.#hover) {
-      this.#hover = hover;
-      const model = {
-        ...this.#app.models.panel(hover),
-        pages: this.#app.panelPages(),
-      };
-      const ways = {
-        table: () => this.putOnTable(),
-        trueSize: () => this.putAtTrueSize(),
-        leave: () => this.leave(),
-        ...this.#page,
-        open: (page: string, first: number) => {
-          this.#page = { page, first };
-          this.#boardsStale = true;
-        },
-      };
-      this.#panel.paint((context) => paintPanel(context, model, actions, ways));
-    }
-    const card = this.#app.models.card();
-    const text = card ? JSON.stringify(card.report.results) : "";
-    if (this.#boardsStale || text !== this.#cardText) {
-      this.#legend.paint((context) => {
-        paintVrLegend(context, this.#app.models.legend());
-        return [];
-      });
-      if (card) {
-        this.#card.paint((context) => {
-          paintVrCard(context, card);
-          return [];
-        });
-      }
-      this.#cardText = text;
-    }
-    this.#boardsStale = false;
-    const place = probing.current()?.place;
-    this.#card.mesh.visible = card !== null && place !== null && place !== undefined;
-    if (place) this.#placeCard(view.picker.worldOf(place, view.model.worldMatrix()));
-  }
-
-  /** Above the place, facing the eyes, as large for them at any distance. */
-  #placeCard(at: Vector3): void {
-    const eye = scratchHead.setFromMatrixPosition(this.#head);
-    const distance = Math.max(at.distanceTo(eye), 0.2);
-    const { mesh } = this.#card;
-    mesh.scale.setScalar(distance);
-    mesh.position.copy(at).lerp(eye, 0.12);
-    mesh.position.y += 0.11 * distance;
-    mesh.lookAt(eye);
-  }
-
   #dispose(): void {
     const { stage, probing, senses } = this.#app;
     senses.stop();
@@ -326,7 +248,7 @@ export class VrSession {
     this.#markers.dispose();
     this.#walk.dispose();
     this.#planes.dispose();
-    for (const board of [this.#panel, this.#legend, this.#card]) board.dispose();
+    this.#boards.dispose();
     for (const name of this.#dots.names) probing.remove(name);
     this.#dots.dispose();
     this.#floor.removeFromParent();
