@@ -4,7 +4,7 @@ import type { Actions } from "../ui";
 import type { App } from "./app";
 import type { Limits } from "./features/limits";
 import type { Player } from "./player";
-import { addResult, assign, release, setColour, setRange, slotsOf } from "./presentation-doc";
+import { addResult, assign, drivenBy, release, setColour, setRange, slotsOf } from "./presentation-doc";
 
 const THEMES = { auto: "light", light: "dark", dark: "auto" } as const;
 
@@ -16,6 +16,11 @@ export function makeActions(app: App, player: Player): Actions {
     release: (slot) => store().set({ doc: release(doc(), slot) }),
     releaseAll: (key) =>
       store().set({ doc: slotsOf(doc(), key).reduce((d, slot) => release(d, slot), doc()) }),
+    nextResult: () => {
+      const keys = app.view.shown.filter((s) => s.result).map((s) => s.key);
+      const next = keys[(keys.indexOf(drivenBy(doc(), "colour") ?? "") + 1) % keys.length];
+      if (next) store().set({ doc: assign(doc(), next, "colour") });
+    },
     addResult: (result, component) => store().set({ doc: addResult(doc(), result, component).doc }),
     setRange: (key, change) => store().set({ doc: setRange(doc(), key, change) }),
     setColour: (change) => store().set({ doc: setColour(doc(), change) }),
@@ -23,7 +28,9 @@ export function makeActions(app: App, player: Player): Actions {
       const limits = app.features.find((f) => f.id === "limits") as Limits | undefined;
       limits?.toggleLock();
     },
-    setStep: (step) => store().set({ step }),
+    setStep: (step) => {
+      if (step !== store().state.step) store().set({ step });
+    },
     stepBy: (count) => player.stepBy(count),
     togglePlay: () => store().set({ playing: !store().state.playing && player.canPlay }),
     setDeform: (deformMode, factor) =>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What belongs to the person and not to the presentation: volume, mono, captions, strength, handedness.
+// What belongs to the person and not to the presentation: volume, mono, captions, strength, handedness,
+// how moving is.
 
 export interface Person {
   /** 0..1 */
@@ -13,6 +14,14 @@ export interface Person {
   readonly wide: boolean;
   /** Amplitude of the weakest pulse, 0.08..0.4; null: the presentation's. */
   readonly weakest: number | null;
+  /** How dark the edge of sight gets while a world moves fast, 0..1; 0: never. */
+  readonly vignette: number;
+  /** Two hands turn the model about the vertical alone. */
+  readonly upright: boolean;
+  /** In the headset a touch is heard and felt without a press. */
+  readonly byTouch: boolean;
+  /** W, A, S, D walk instead of what they mean otherwise. */
+  readonly walkKeys: boolean;
 }
 
 const KEY = "feelem.person";
@@ -24,6 +33,10 @@ export const DEFAULT_PERSON: Person = Object.freeze({
   leftHanded: false,
   wide: false,
   weakest: null,
+  vignette: 1,
+  upright: true,
+  byTouch: false,
+  walkKeys: false,
 });
 
 /** Whatever the storage holds, the answer can be used. */
@@ -40,6 +53,10 @@ export function personOf(value: unknown, fallback: Person = DEFAULT_PERSON): Per
     leftHanded: flag(given.leftHanded, fallback.leftHanded),
     wide: flag(given.wide, fallback.wide),
     weakest: given.weakest === null ? null : weakestOf(given.weakest, fallback.weakest),
+    vignette: within(given.vignette, 1, fallback.vignette),
+    upright: flag(given.upright, fallback.upright),
+    byTouch: flag(given.byTouch, fallback.byTouch),
+    walkKeys: flag(given.walkKeys, fallback.walkKeys),
   };
 }
 

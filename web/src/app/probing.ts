@@ -15,6 +15,8 @@ export interface PointerState {
   held: boolean;
   /** What shakes in the hand that points; null: nothing does. */
   actuator: Actuator | null;
+  /** What shows pulses to the eye where nothing shakes; null: nothing does. */
+  shows: Actuator | null;
   /** Counts up with each change of place; the latest pointer is the one that counts. */
   moved: number;
 }
@@ -41,7 +43,7 @@ export class Probing {
   pointer(name: string, kind: PointerKind): PointerState {
     let pointer = this.#pointers.get(name);
     if (!pointer) {
-      pointer = { name, kind, place: null, held: false, actuator: null, moved: 0 };
+      pointer = { name, kind, place: null, held: false, actuator: null, shows: null, moved: 0 };
       this.#pointers.set(name, pointer);
     }
     return pointer;

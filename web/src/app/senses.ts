@@ -62,6 +62,8 @@ interface Hand {
   readonly watches: Map<string, EventWatch>;
   /** The largest value was reached and said. */
   onTop: boolean;
+  /** Its pulses reach a hand, not the eye alone. */
+  felt: boolean;
 }
 
 export class Senses {
@@ -215,6 +217,7 @@ export class Senses {
 
   pulses(): PulseRecord[] {
     return [...this.#hands]
+      .filter(([, { felt }]) => felt)
       .flatMap(([pointer, { haptics }]) =>
         haptics
           .pulses()
@@ -226,7 +229,7 @@ export class Senses {
   #hand(name: string): Hand {
     let hand = this.#hands.get(name);
     if (!hand) {
-      hand = { haptics: createHaptics(), rest: new Rest(), watches: new Map(), onTop: false };
+      hand = { haptics: createHaptics(), rest: new Rest(), watches: new Map(), onTop: false, felt: false };
       hand.haptics.setStrength(this.#store.state.person.strength);
       this.#hands.set(name, hand);
     }
@@ -240,7 +243,8 @@ export class Senses {
     let heard = false;
     for (const pointer of this.#probing.pointers) {
       const hand = this.#hand(pointer.name);
-      hand.haptics.setActuator(pointer.actuator);
+      hand.haptics.setActuator(pointer.actuator ?? pointer.shows);
+      hand.felt ||= pointer.actuator !== null;
       const report = pointer.held && this.#view.ready ? this.#probing.reportOf(pointer) : null;
       if (report) {
         const still = hand.rest.update(report, this.#view.shown, this.#view.model.largestSide);

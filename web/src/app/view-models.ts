@@ -52,7 +52,7 @@ export class ViewModels {
       state: this.#store.state,
       shown: this.#view.shown,
       step: this.#view.step,
-      stepCount: this.#view.scene.extras.steps.length,
+      steps: this.#view.scene.extras.steps,
       factor: this.#view.factor,
       canShape: (shown: Shown) => this.canShape(shown),
       canPlay: this.#player.canPlay,

@@ -27,6 +27,7 @@ const NODE = 8;
 const SLACK = 1e-6;
 const stack = new Int32Array(128);
 const stackNear = new Float64Array(128);
+const bounds = new Float64Array(2);
 const corner = [new Float64Array(3), new Float64Array(3), new Float64Array(3)] as const;
 
 /** A missing displacement moves nothing. */
@@ -127,30 +128,37 @@ export class MovingTree {
     if (im && factorIm !== 0) this.#boxesIm ??= this.#boxesOf(im);
   }
 
-  /** Where the ray comes into a node's box, not before 0; infinite when it does not. */
-  #enters(node: number, origin: Triple, inverse: Triple): number {
+  /** Where a node's triangles can be along axis `c`, into `bounds`. */
+  #boundsAlong(node: number, c: number): void {
     const { factorRe, factorIm } = this.#shape;
     const at = NODE * node;
+    let lo = this.#boxes[at + c] ?? 0;
+    let hi = this.#boxes[at + 3 + c] ?? 0;
+    if (this.#boxesRe && factorRe !== 0) {
+      const a = factorRe * (this.#boxesRe[6 * node + c] ?? 0);
+      const b = factorRe * (this.#boxesRe[6 * node + 3 + c] ?? 0);
+      lo += a < b ? a : b;
+      hi += a < b ? b : a;
+    }
+    if (this.#boxesIm && factorIm !== 0) {
+      const a = factorIm * (this.#boxesIm[6 * node + c] ?? 0);
+      const b = factorIm * (this.#boxesIm[6 * node + 3 + c] ?? 0);
+      lo += a < b ? a : b;
+      hi += a < b ? b : a;
+    }
+    const slack = SLACK * Math.max(Math.abs(lo), Math.abs(hi));
+    bounds[0] = lo - slack;
+    bounds[1] = hi + slack;
+  }
+
+  /** Where the ray comes into a node's box, not before 0; infinite when it does not. */
+  #enters(node: number, origin: Triple, inverse: Triple): number {
     let near = 0;
     let far: number = FAR;
     for (let c = 0; c < 3; ++c) {
-      let lo = this.#boxes[at + c] ?? 0;
-      let hi = this.#boxes[at + 3 + c] ?? 0;
-      if (this.#boxesRe && factorRe !== 0) {
-        const a = factorRe * (this.#boxesRe[6 * node + c] ?? 0);
-        const b = factorRe * (this.#boxesRe[6 * node + 3 + c] ?? 0);
-        lo += a < b ? a : b;
-        hi += a < b ? b : a;
-      }
-      if (this.#boxesIm && factorIm !== 0) {
-        const a = factorIm * (this.#boxesIm[6 * node + c] ?? 0);
-        const b = factorIm * (this.#boxesIm[6 * node + 3 + c] ?? 0);
-        lo += a < b ? a : b;
-        hi += a < b ? b : a;
-      }
-      const slack = SLACK * Math.max(Math.abs(lo), Math.abs(hi));
-      const one = (lo - slack - (origin[c] ?? 0)) * (inverse[c] ?? 0);
-      const two = (hi + slack - (origin[c] ?? 0)) * (inverse[c] ?? 0);
+      this.#boundsAlong(node, c);
+      const one = ((bounds[0] ?? 0) - (origin[c] ?? 0)) * (inverse[c] ?? 0);
+      const two = ((bounds[1] ?? 0) - (origin[c] ?? 0)) * (inverse[c] ?? 0);
       // A ray within the plane of a side gives NaN, which leaves the bounds as they are.
       const enters = one < two ? one : two;
       const leaves = one < two ? two : one;
@@ -158,6 +166,56 @@ export class MovingTree {
       if (leaves < far) far = leaves;
     }
     return near <= far ? near : FAR;
+  }
+
+  /** How far a node's box is from a point; 0 within. */
+  #awayFrom(node: number, from: Triple): number {
+    let squares = 0;
+    for (let c = 0; c < 3; ++c) {
+      this.#boundsAlong(node, c);
+      const at = from[c] ?? 0;
+      const away = Math.max((bounds[0] ?? 0) - at, at - (bounds[1] ?? 0), 0);
+      squares += away * away;
+    }
+    return Math.sqrt(squares);
+  }
+
+  /** The triangle with the least distance, no further than `reach`; `distanceTo` may say infinite for one that is not there. */
+  closest(from: Triple, reach: number, distanceTo: (triangle: number) => number): TreeHit | null {
+    this.#readyBoxes();
+    let nearest = reach;
+    let triangle = -1;
+    stack[0] = 0;
+    stackNear[0] = this.#awayFrom(0, from);
+    let depth = 1;
+    while (depth > 0) {
+      depth -= 1;
+      const node = stack[depth] ?? 0;
+      if ((stackNear[depth] ?? FAR) > nearest) continue;
+      if (this.#isLeaf(node)) {
+        const first = this.#words[NODE * node + 6] ?? 0;
+        const last = first + (this.#halves[2 * NODE * node + 14] ?? 0);
+        for (let i = first; i < last; ++i) {
+          const candidate = this.#order[i] ?? 0;
+          const distance = distanceTo(candidate);
+          const isBetter =
+            distance < nearest || (distance === nearest && (triangle < 0 || candidate < triangle));
+          if (!isBetter || distance === FAR) continue;
+          nearest = distance;
+          triangle = candidate;
+        }
+        continue;
+      }
+      const children = [this.#second(node), node + 1];
+      const away = children.map((child) => this.#awayFrom(child, from));
+      const [near, far] = (away[0] ?? 0) <= (away[1] ?? 0) ? [0, 1] : [1, 0];
+      for (const child of [far, near]) {
+        stack[depth] = children[child] ?? 0;
+        stackNear[depth] = away[child] ?? FAR;
+        depth += 1;
+      }
+    }
+    return triangle >= 0 ? { triangle, distance: nearest } : null;
   }
 
   /** The nearest triangle before `reach`, from either side. */

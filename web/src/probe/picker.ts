@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays against the drawn skin, also while it moves: one hierarchy a part.
-import { Matrix4, Ray, Vector3 } from "three";
+import { Matrix4, Ray, Triangle, Vector3 } from "three";
 import type { ScenePart } from "../scene";
-import { type Cut, kept } from "./cuts";
+import { type Cut, isCutAway, kept } from "./cuts";
 import { growTrees } from "./grow-trees";
 import { drawnAt, MovingTree, type Shape } from "./moving-tree";
 import { barycentric, cornersOf, type Place } from "./sample";
@@ -35,7 +35,9 @@ const scratchA = new Vector3();
 const scratchSide = new Vector3();
 const scratchNormal = new Vector3();
 const scratchPlace = new Float64Array(3);
-const scratchCorners = [new Vector3(), new Vector3(), new Vector3()] as const;
+const scratchFrom = new Vector3();
+const scratchAt = new Vector3();
+const scratchTriangle = new Triangle();
 const NOTHING: Cast = Object.freeze({ hit: null, inside: null });
 
 export class Picker {
@@ -107,12 +109,7 @@ export class Picker {
     if (!found) return NOTHING;
     const { index, target, triangle, distance: along } = found;
     const point = scratchRay.at(along, new Vector3());
-    const shape = this.#shapeOf(index);
-    const [a, b, c] = cornersOf(target.part, triangle).map((vertex, k) => {
-      drawnAt(target.part, shape, vertex, scratchPlace);
-      return (scratchCorners[k] ?? new Vector3()).fromArray(scratchPlace);
-    });
-    if (!a || !b || !c) return NOTHING;
+    const { a, b, c } = this.#drawnTriangle(index, triangle);
     if (range.enters > 0 && target.part.info.kind === "solid" && this.#fromBehind(a, b, c)) {
       const inside = scratchRay.origin.clone().applyMatrix4(world);
       return { hit: null, inside };
@@ -121,6 +118,51 @@ export class Picker {
     point.applyMatrix4(world);
     const distance = point.distanceTo(ray.origin);
     return { hit: { part: index, triangle, weights, distance, world: point }, inside: null };
+  }
+
+  /** The place of the drawn skin that is nearest to a point, no further than `reach` (both world metres). */
+  near(point: Vector3, reach: number, world: Matrix4): Hit | null {
+    const scale = scratchSide.setFromMatrixScale(world).x;
+    const from = scratchFrom.copy(point).applyMatrix4(scratchInverse.copy(world).invert());
+    const found = this.#closest("shown", from, reach / scale) ?? this.#closest("clear", from, reach / scale);
+    if (!found) return null;
+    const { index, triangle } = found;
+    const { a, b, c } = this.#drawnTriangle(index, triangle);
+    const at = scratchTriangle.closestPointToPoint(from, new Vector3());
+    const weights = barycentric(at.toArray(), a.toArray(), b.toArray(), c.toArray());
+    at.applyMatrix4(world);
+    return { part: index, triangle, weights, distance: at.distanceTo(point), world: at };
+  }
+
+  /** In model units; what planes have cut away is not there. */
+  #closest(look: PickLook, from: Vector3, reach: number) {
+    let best: { index: number; triangle: number } | null = null;
+    let within = reach;
+    for (const [index, { tree }] of this.#targets.entries()) {
+      if (!tree || (this.#looks[index] ?? "shown") !== look) continue;
+      const found = tree.closest([from.x, from.y, from.z], within, (triangle) => {
+        this.#drawnTriangle(index, triangle).closestPointToPoint(from, scratchAt);
+        const gone = isCutAway(this.#cuts, scratchAt.x, scratchAt.y, scratchAt.z);
+        return gone ? Number.POSITIVE_INFINITY : scratchAt.distanceTo(from);
+      });
+      if (!found) continue;
+      within = found.distance;
+      best = { index, triangle: found.triangle };
+    }
+    return best;
+  }
+
+  /** As it is drawn now, model units; valid until the next call. */
+  #drawnTriangle(index: number, triangle: number): Triangle {
+    const target = this.#targets[index];
+    if (!target) return scratchTriangle;
+    const shape = this.#shapeOf(index);
+    const { a, b, c } = scratchTriangle;
+    for (const [k, vertex] of cornersOf(target.part, triangle).entries()) {
+      drawnAt(target.part, shape, vertex, scratchPlace);
+      [a, b, c][k]?.fromArray(scratchPlace);
+    }
+    return scratchTriangle;
   }
 
   #fromBehind(a: Vector3, b: Vector3, c: Vector3): boolean {

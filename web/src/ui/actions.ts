@@ -10,6 +10,8 @@ export interface Actions {
   assign(key: string, slot: Slot): void;
   release(slot: Slot): void;
   releaseAll(key: string): void;
+  /** The next result of the table is the one that is seen. */
+  nextResult(): void;
   addResult(result: SceneResult, component: string): void;
   setRange(key: string, change: { mode: RangeMode; lo?: number; hi?: number; scale?: string }): void;
   setColour(change: ColourChange): void;

@@ -22,11 +22,12 @@ export function carry(model: Matrix4, from: GripPose, to: GripPose): Matrix4 {
   return poseMatrix(to).multiply(poseMatrix(from).invert()).multiply(model);
 }
 
-/** Model matrix after two hands that held it at `from` have come to `to`. */
+/** Model matrix after two hands that held it at `from` have come to `to`; upright: it turns about the vertical alone. */
 export function carryWithTwo(
   model: Matrix4,
   from: readonly [Vector3, Vector3],
   to: readonly [Vector3, Vector3],
+  upright = true,
 ): Matrix4 {
   const middleFrom = from[0].clone().add(from[1]).multiplyScalar(0.5);
   const middleTo = to[0].clone().add(to[1]).multiplyScalar(0.5);
@@ -36,7 +37,9 @@ export function carryWithTwo(
   const ratio = spanFrom.length() > 1e-6 ? spanTo.length() / spanFrom.length() : 1;
   const scale = Math.min(Math.max(before * ratio, SCALE_LIMITS[0]), SCALE_LIMITS[1]) / before;
   const yaw = Math.atan2(spanTo.x, spanTo.z) - Math.atan2(spanFrom.x, spanFrom.z);
-  const turn = new Quaternion().setFromAxisAngle(UP, yaw);
+  const turn = upright
+    ? new Quaternion().setFromAxisAngle(UP, yaw)
+    : new Quaternion().setFromUnitVectors(spanFrom.normalize(), spanTo.normalize());
   return new Matrix4()
     .makeTranslation(middleTo.x, middleTo.y, middleTo.z)
     .multiply(new Matrix4().makeRotationFromQuaternion(turn))
@@ -81,7 +84,7 @@ export class Grab {
   readonly #latest = new Map<string, GripPose>();
 
   /** Where the model is now, or null when nobody holds it. */
-  move(poses: ReadonlyMap<string, GripPose>): Matrix4 | null {
+  move(poses: ReadonlyMap<string, GripPose>, upright = true): Matrix4 | null {
     for (const [hand, pose] of poses) this.#latest.set(hand, copyPose(pose));
     if (!this.#start) return null;
     const held = [...this.#hands].flatMap(([hand, from]) => {
@@ -90,7 +93,12 @@ export class Grab {
     });
     const [a, b] = held;
     if (a && b)
-      return carryWithTwo(this.#start, [a.from.position, b.from.position], [a.to.position, b.to.position]);
+      return carryWithTwo(
+        this.#start,
+        [a.from.position, b.from.position],
+        [a.to.position, b.to.position],
+        upright,
+      );
     return a ? carry(this.#start, a.from, a.to) : null;
   }
 }

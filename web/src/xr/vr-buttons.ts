@@ -7,8 +7,8 @@ export interface VrWishes {
   note(pointer: VrPointer): void;
   /** To the table again, as large as at first. */
   home(): void;
-  /** The next tab of the panel. */
-  nextPage(): void;
+  /** The menu at the other hand comes, or goes. */
+  menu(): void;
   /** Another result is seen. */
   nextResult(): void;
   stepBy(count: number): void;
@@ -77,7 +77,7 @@ export class VrButtons {
   ): void {
     const wishes = this.#wishes;
     if (now.once(LOWER)) wishes.note(pointer);
-    if (now.once(UPPER)) wishes.nextPage();
+    if (now.once(UPPER)) wishes.menu();
     if (now.once(STICK)) wishes.home();
     if (now.x !== 0 && before.x === 0) wishes.turn(-now.x * TURN_DEGREES);
     // The stick's y grows towards the person.

@@ -5,7 +5,7 @@ import { drivenBy } from "../app/presentation-doc";
 import type { ViewState } from "../app/store";
 import type { SceneStep } from "../scene";
 import { type Actions, COLUMNS, numberText, type PanelPage, stepText, unitText } from "../ui";
-import { type BoardButton, BOARD_COLOURS as C, roundRect } from "./board";
+import { type BoardButton, type BoardRect, BOARD_COLOURS as C, roundRect } from "./board";
 import { button, type Ink, words } from "./panel-ink";
 import { paintPage, paintTabs } from "./panel-page";
 
@@ -22,7 +22,7 @@ export interface PanelModel {
   readonly state: ViewState;
   readonly shown: readonly Shown[];
   readonly step: SceneStep | null;
-  readonly stepCount: number;
+  readonly steps: readonly SceneStep[];
   readonly factor: number;
   readonly canShape: (shown: Shown) => boolean;
   readonly canPlay: boolean;
@@ -74,6 +74,32 @@ function tableRow(ink: Ink, model: PanelModel, shown: Shown, y: number, actions:
   });
 }
 
+/** The step's name over its place among all steps; held, it goes where the pointer is. */
+function scrubber(ink: Ink, model: PanelModel, rect: BoardRect, actions: Actions): void {
+  const { steps, step } = model;
+  words(ink, step ? stepText(step) : "", rect.x + 14, rect.y + 26, 29, C.ink, { width: rect.width - 28 });
+  const last = steps.length - 1;
+  if (last < 1) return;
+  const slide = (share: number) => {
+    const to = steps[Math.round(share * last)];
+    if (to) actions.setStep(to.id);
+  };
+  const id = "scrub";
+  const at =
+    rect.x +
+    (rect.width *
+      Math.max(
+        steps.findIndex((s) => s.id === step?.id),
+        0,
+      )) /
+      last;
+  const y = rect.y + 64;
+  const line = ink.hover === id ? C.ink : C.line;
+  roundRect(ink.context, { x: rect.x, y: y - 4, width: rect.width, height: 8 }, 4, line);
+  roundRect(ink.context, { x: at - 11, y: y - 18, width: 22, height: 36 }, 11, C.accent);
+  ink.buttons.push({ id, ...rect, press: () => {}, slide });
+}
+
 /** Paints the panel; returns what can be pressed. */
 export function paintPanel(
   context: CanvasRenderingContext2D,
@@ -102,7 +128,7 @@ function paintResults(ink: Ink, model: PanelModel, actions: Actions, extras: Pan
   const { state } = model;
   const top = PAGE_HEIGHT - 3 * (ROW + 14) - 14;
   const line = (i: number) => top + i * (ROW + 14);
-  const many = model.stepCount > 1;
+  const many = model.steps.length > 1;
   button(ink, {
     id: "back",
     x: 24,
@@ -134,7 +160,7 @@ function paintResults(ink: Ink, model: PanelModel, actions: Actions, extras: Pan
     enabled: many,
     press: () => actions.stepBy(1),
   });
-  words(ink, model.step ? stepText(model.step) : "", 396, line(0) + ROW / 2, 29, C.ink, { width: 600 });
+  scrubber(ink, model, { x: 392, y: line(0), width: 608, height: ROW }, actions);
   const modes = [
     ["off", "Undeformed"],
     ["true", "True scale"],

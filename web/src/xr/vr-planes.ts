@@ -68,16 +68,17 @@ export class VrPlanes {
     return this.#knobs.map((knob) => (knob.visible ? knob.position.toArray() : null));
   }
 
-  /** Takes the knob that the ray is on; false when there is none. */
-  take(pointer: VrPointer, world: Matrix4): boolean {
+  /** Takes the knob that the ray is on; how far along the ray it is, null when there is none. */
+  take(pointer: VrPointer, world: Matrix4): number | null {
     const index = this.#knobs.findIndex(
       (knob) => knob.visible && pointer.ray.distanceToPoint(knob.position) < NEAR_ENOUGH,
     );
     const cut = this.#app.store.state.cuts[index];
-    if (!cut) return false;
+    const knob = this.#knobs[index];
+    if (!cut || !knob) return null;
     const along = this.#along(pointer.ray, index, world);
     this.#drags.set(pointer.name, { index, along, offset: cut.offset });
-    return true;
+    return knob.position.distanceTo(pointer.ray.origin);
   }
 
   letGo(name: string): boolean {

@@ -27,6 +27,15 @@ export interface VrPointer {
   readonly grip: Object3D;
   readonly actuator: Actuator | null;
   readonly ray: Ray;
+  /** What touches: the front of a controller, the end of an index finger; null: nothing is known of it. */
+  tip: Vector3 | null;
+}
+
+/** A pinch that shows where one looks only when it begins: from then on the hand moves what was aimed at. */
+interface Anchor {
+  readonly origin: Vector3;
+  readonly at: Vector3;
+  readonly grip: Vector3;
 }
 
 export interface VrPointerHost {
@@ -46,6 +55,20 @@ function kindOf(source: XRInputSource): PointerKind {
 function nameOf(source: XRInputSource, slot: number): string {
   const side = source.handedness === "none" ? `slot-${slot}` : source.handedness;
   return `${side}-${kindOf(source)}`;
+}
+
+/** A joint of a hand, in the room; null for what has none, or while it is not seen. */
+export function jointOf(
+  pointer: VrPointer,
+  name: XRHandJoint,
+  frame: XRFrame | undefined,
+  space: XRReferenceSpace | null,
+): { position: Vector3; matrix: Float32Array } | null {
+  const joint = pointer.source.hand?.get(name);
+  const pose = joint && space ? frame?.getJointPose?.(joint, space) : null;
+  if (!pose) return null;
+  const { x, y, z } = pose.transform.position;
+  return { position: new Vector3(x, y, z), matrix: pose.transform.matrix };
 }
 
 /** A thin ray that ends where the pointer hits, and a handle in the hand. */
@@ -70,8 +93,14 @@ class Looks {
     grip.add(this.#handle);
   }
 
-  setLength(length: number): void {
-    this.#beam.scale.z = length;
+  /** null: it does not point. */
+  setLength(length: number | null): void {
+    this.#beam.visible = length !== null;
+    if (length !== null) this.#beam.scale.z = length;
+  }
+
+  get length(): number | null {
+    return this.#beam.visible ? this.#beam.scale.z : null;
   }
 
   dispose(): void {
@@ -87,6 +116,7 @@ class Looks {
 export class VrPointers {
   readonly #pointers = new Map<number, { pointer: VrPointer; looks: Looks }>();
   readonly #removals: (() => void)[] = [];
+  readonly #anchors = new Map<VrPointer, Anchor>();
 
   constructor(renderer: WebGLRenderer, parent: Object3D, host: VrPointerHost) {
     for (let slot = 0; slot < SLOTS; ++slot) {
@@ -98,7 +128,8 @@ export class VrPointers {
         const source = event.data;
         const kind = kindOf(source);
         const actuator = actuatorOf(source.gamepad);
-        const pointer = { name: nameOf(source, slot), kind, source, target, grip, actuator, ray: new Ray() };
+        const name = nameOf(source, slot);
+        const pointer = { name, kind, source, target, grip, actuator, ray: new Ray(), tip: null };
         this.#pointers.set(slot, { pointer, looks: new Looks(target, grip, kind) });
         host.connected(pointer);
       };
@@ -106,6 +137,7 @@ export class VrPointers {
         const gone = this.#pointers.get(slot);
         this.#pointers.delete(slot);
         gone?.looks.dispose();
+        if (gone) this.#anchors.delete(gone.pointer);
         if (gone) host.disconnected(gone.pointer);
       };
       // Only start and end count: some runtimes fire 'select' on the press.
@@ -135,15 +167,41 @@ export class VrPointers {
     }
   }
 
-  /** Pointers with their rays of this frame, world metres. */
-  *rays(): Generator<VrPointer> {
+  /** Pointers with their rays and tips of this frame, world metres. */
+  *rays(frame: XRFrame | undefined, space: XRReferenceSpace | null): Generator<VrPointer> {
     for (const { pointer } of this.#pointers.values()) {
       if (!pointer.target.visible) continue;
-      pointer.target.updateWorldMatrix(true, false);
-      pointer.ray.origin.setFromMatrixPosition(pointer.target.matrixWorld);
-      pointer.ray.direction.copy(FORWARD).transformDirection(pointer.target.matrixWorld);
+      this.refresh(pointer);
+      if (pointer.kind === "controller") pointer.tip = pointer.ray.origin;
+      else pointer.tip = jointOf(pointer, "index-finger-tip", frame, space)?.position ?? null;
       yield pointer;
     }
+  }
+
+  /** The pointer's ray as it is now. */
+  refresh(pointer: VrPointer): void {
+    pointer.target.updateWorldMatrix(true, false);
+    pointer.ray.origin.setFromMatrixPosition(pointer.target.matrixWorld);
+    pointer.ray.direction.copy(FORWARD).transformDirection(pointer.target.matrixWorld);
+    const anchor = this.#anchors.get(pointer);
+    if (!anchor) return;
+    pointer.grip.updateWorldMatrix(true, false);
+    const moved = new Vector3().setFromMatrixPosition(pointer.grip.matrixWorld).sub(anchor.grip);
+    pointer.ray.origin.copy(anchor.origin);
+    pointer.ray.direction.copy(anchor.at).add(moved).sub(anchor.origin).normalize();
+  }
+
+  /** A pinch that comes and goes began: what lies so far along its ray follows the hand. */
+  anchor(pointer: VrPointer, distance: number): void {
+    if (pointer.kind !== "transient" || !pointer.source.gripSpace) return;
+    const { origin, direction } = pointer.ray;
+    const grip = new Vector3().setFromMatrixPosition(pointer.grip.matrixWorld);
+    const at = direction.clone().multiplyScalar(distance).add(origin);
+    this.#anchors.set(pointer, { origin: origin.clone(), at, grip });
+  }
+
+  letGo(pointer: VrPointer): void {
+    this.#anchors.delete(pointer);
   }
 
   /** Where the hands are, by pointer name. */
@@ -159,11 +217,18 @@ export class VrPointers {
     return poses;
   }
 
-  /** The beam ends where it hits; null: nowhere. */
-  showHit(pointer: VrPointer, distance: number | null): void {
-    for (const entry of this.#pointers.values()) {
-      if (entry.pointer === pointer) entry.looks.setLength(distance ?? RAY_LENGTH);
-    }
+  /** The beam ends where it hits, or nowhere ("free"); null: it does not point. */
+  showRay(pointer: VrPointer, distance: number | "free" | null): void {
+    for (const entry of this.#pointers.values())
+      if (entry.pointer === pointer) entry.looks.setLength(distance === "free" ? RAY_LENGTH : distance);
+  }
+
+  /** How far each ray is drawn; null: it is not. */
+  report() {
+    return [...this.#pointers.values()].map(({ pointer, looks }) => ({
+      pointer: pointer.name,
+      ray: pointer.target.visible ? looks.length : null,
+    }));
   }
 
   dispose(): void {

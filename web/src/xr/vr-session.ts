@@ -2,14 +2,22 @@
 // One stay in the headset: pointers probe and press, grips move the model, boards show table, legend and numbers.
 import { Color, GridHelper, Matrix4, Vector3 } from "three";
 import type { App } from "../app/app";
+import type { Cuts } from "../app/features/cuts";
+import type { Listening } from "../app/features/listening";
+import type { Notes } from "../app/features/notes";
 import { Grab } from "./grab";
+import { movePage } from "./move-page";
 import { onTable, type Stand, standOf, TABLE_SIZE } from "./room";
+import { VrBar } from "./vr-bar";
 import { VrBoards } from "./vr-boards";
 import { VrButtons } from "./vr-buttons";
 import { VrDots } from "./vr-dots";
+import { VrHands } from "./vr-hands";
 import { VrMarkers } from "./vr-markers";
+import { VrMenu } from "./vr-menu";
 import { VrPlanes } from "./vr-planes";
 import { type VrPointer, VrPointers } from "./vr-pointers";
+import { VrVignette } from "./vr-vignette";
 import { VrWalk } from "./vr-walk";
 import { vrWishes } from "./vr-wishes";
 
@@ -20,7 +28,6 @@ const ROOM_COLOUR = new Color(0x20282d);
 /** What one pixel of a headset covers, radians (20 to 25 pixels a degree). */
 const PIXEL_ANGLE = 0.0008;
 const scratchMatrix = new Matrix4();
-const scratchHead = new Vector3();
 
 export class VrSession {
   readonly #app: App;
@@ -29,15 +36,22 @@ export class VrSession {
   readonly #markers: VrMarkers;
   readonly #grab = new Grab();
   readonly #boards: VrBoards;
+  readonly #menu: VrMenu;
   readonly #walk: VrWalk;
   readonly #planes: VrPlanes;
+  readonly #bar: VrBar;
   readonly #buttons: VrButtons;
   readonly #dots: VrDots;
+  readonly #hands: VrHands;
+  readonly #vignette: VrVignette;
   readonly #removals: (() => void)[] = [];
   /** Stands still whatever the hands do with the model: something to hold on to for the eyes. */
   readonly #floor = new GridHelper(8, 16, 0x44525a, 0x323d44);
   readonly #head = new Matrix4();
   #stand: Stand | null = null;
+  /** The person has walked, or turned by so many degrees: the boards come along with the next frame. */
+  #walked: number | null = null;
+  #seconds = 0;
 
   constructor(app: App, session: XRSession, ended: () => void) {
     this.#app = app;
@@ -48,23 +62,33 @@ export class VrSession {
       table: () => this.putOnTable(),
       trueSize: () => this.putAtTrueSize(),
       leave: () => this.leave(),
-      pages: () => app.panelPages(),
+      pages: () => [...app.panelPages(), this.#movePage()],
     });
+    this.#menu = this.#makeMenu();
+    this.#boards.pressable.push(this.#menu.board);
     this.#markers = new VrMarkers(stage.scene);
     this.#dots = new VrDots(stage.scene);
     this.#walk = new VrWalk(stage.renderer, stage.scene);
     this.#planes = new VrPlanes(app, stage.scene);
+    this.#bar = new VrBar(stage.scene);
+    this.#vignette = new VrVignette(stage.scene);
     this.#buttons = new VrButtons(vrWishes(app, this.#walk, this.#planes, this));
     this.#pointers = new VrPointers(stage.renderer, stage.scene, {
-      connected: (pointer) => {
-        app.probing.pointer(pointer.name, pointer.kind).actuator = pointer.actuator;
-      },
+      connected: (pointer) => this.#hands.greet(pointer),
       disconnected: (pointer) => this.#forget(pointer),
-      select: (pointer, on) => this.#select(pointer, on),
-      squeeze: (pointer, on) => this.#squeeze(pointer, on),
+      select: (pointer, on) => this.#hands.select(pointer, on, this.#seconds),
+      squeeze: (pointer, on) => this.#hands.squeeze(pointer, on),
+    });
+    this.#hands = new VrHands(app, {
+      pointers: this.#pointers,
+      boards: this.#boards,
+      planes: this.#planes,
+      bar: this.#bar,
+      dots: this.#dots,
+      grab: this.#grab,
     });
     this.#removals.push(
-      stage.onFrame((_seconds, frame) => this.#frame(frame)),
+      stage.onFrame((seconds, frame) => this.#frame(seconds, frame)),
       store.subscribe((state, before) => {
         this.#boards.renew();
         if (state.person.leftHanded !== before.person.leftHanded) this.#placeBoards();
@@ -76,7 +100,7 @@ export class VrSession {
       ended();
     });
     session.addEventListener("visibilitychange", () => {
-      if (session.visibilityState !== "visible") this.#grab.letGoOfAll();
+      if (session.visibilityState !== "visible") this.#hands.letGoOfAll();
     });
     // The desk's camera keeps its distance from the model; here hands come close.
     stage.camera.near = NEAR;
@@ -85,104 +109,100 @@ export class VrSession {
     stage.renderer.setClearColor(ROOM_COLOUR);
   }
 
+  #makeMenu(): VrMenu {
+    const { stage, actions } = this.#app;
+    return new VrMenu(stage.scene, {
+      home: () => this.home(),
+      table: () => this.putOnTable(),
+      trueSize: () => this.putAtTrueSize(),
+      note: () => this.#app.feature<Notes>("notes").pinHere(),
+      toggle: (what) => actions.toggle(what),
+      nextResult: () => actions.nextResult(),
+      stepBy: (count) => actions.stepBy(count),
+      togglePlay: () => actions.togglePlay(),
+      cut: () => this.#app.feature<Cuts>("cuts").toggle(),
+      leave: () => this.leave(),
+    });
+  }
+
+  #movePage() {
+    return movePage(this.#app.store.state.person, {
+      step: (right, ahead) => {
+        this.#walk.step(right, ahead, this.#stand?.yaw ?? 0);
+        this.walked();
+      },
+      turn: (degrees) => this.turn(degrees),
+      home: () => this.home(),
+      table: () => this.putOnTable(),
+      trueSize: () => this.putAtTrueSize(),
+      change: (change) => this.#app.feature<Listening>("listening").change(change),
+    });
+  }
+
   leave(): void {
     void this.#session.end();
   }
 
   #forget(pointer: VrPointer): void {
-    const { probing, stage } = this.#app;
-    // The hand stops before it goes, so that its last pulse is not left running.
-    probing.pointer(pointer.name, pointer.kind).actuator = null;
-    probing.hold(pointer.name, pointer.kind, false);
-    probing.move(pointer.name, pointer.kind, null);
-    this.#grab.letGo(pointer.name, stage.holder.matrix);
-    this.#planes.letGo(pointer.name);
+    this.#hands.forget(pointer);
     this.#buttons.forget(pointer.name);
-    this.#boards.letGo(pointer.name);
-    this.#dots.show(pointer.name, null);
   }
 
-  #select(pointer: VrPointer, on: boolean): void {
-    const { probing } = this.#app;
-    this.#refresh(pointer);
-    const pressed = on ? this.#boards.hit(pointer.ray) : null;
-    if (pressed) {
-      this.#boards.press(pointer.name, pressed);
-      return;
-    }
-    if (!on && this.#boards.letGo(pointer.name)) return;
-    if (on && this.#planes.take(pointer, this.#app.view.model.worldMatrix())) return;
-    if (!on && this.#planes.letGo(pointer.name)) return;
-    if (this.#pinchesAir(pointer, on)) {
-      this.#squeeze(pointer, on);
-      return;
-    }
-    probing.hold(pointer.name, pointer.kind, on);
-  }
-
-  /** Hands have no grip: a pinch on nothing takes hold of the model. */
-  #pinchesAir(pointer: VrPointer, on: boolean): boolean {
-    const { view } = this.#app;
-    if (pointer.kind === "controller") return false;
-    if (!on) return this.#grab.holds(pointer.name);
-    return view.picker.ray(pointer.ray, view.model.worldMatrix()) === null;
-  }
-
-  #squeeze(pointer: VrPointer, on: boolean): void {
-    const { holder } = this.#app.stage;
-    const pose = this.#pointers.grips().get(pointer.name);
-    if (on && pose) this.#grab.take(pointer.name, pose, holder.matrix);
-    else this.#grab.letGo(pointer.name, holder.matrix);
-  }
-
-  #refresh(pointer: VrPointer): void {
-    pointer.target.updateWorldMatrix(true, false);
-    pointer.ray.origin.setFromMatrixPosition(pointer.target.matrixWorld);
-    pointer.ray.direction.set(0, 0, -1).transformDirection(pointer.target.matrixWorld);
-  }
-
-  #frame(frame: XRFrame | undefined): void {
-    const { view, probing } = this.#app;
-    if (!this.#findHead(frame)) return;
-    if (!this.#stand) this.#settle();
-    const moved = this.#grab.move(this.#pointers.grips());
+  #frame(seconds: number, frame: XRFrame | undefined): void {
+    const { view, store } = this.#app;
+    const space = this.#app.stage.renderer.xr.getReferenceSpace();
+    const pose = space && frame?.getViewerPose(space);
+    // While nobody is tracked nothing happens.
+    if (!pose) return;
+    this.#head.fromArray(pose.transform.matrix);
+    this.#settle();
+    const passed = Math.max(seconds - this.#seconds, 0);
+    this.#seconds = seconds;
+    const { person } = store.state;
+    const moved = this.#grab.move(this.#pointers.grips(), person.upright);
     if (moved) this.#setModel(moved);
     const world = view.model.worldMatrix(scratchMatrix);
-    view.model.fadeEdges(PIXEL_ANGLE * this.#distanceTo(world));
-    let hover: string | null = null;
+    const eye = this.head;
+    const distance = Math.max(
+      view.model.box.getCenter(new Vector3()).applyMatrix4(world).distanceTo(eye),
+      0.1,
+    );
+    view.model.fadeEdges(PIXEL_ANGLE * distance);
+    const radius = (view.diagonal / 2) * new Vector3().setFromMatrixScale(world).x;
+    this.#vignette.update(passed, this.#head, world, { radius, distance }, person.vignette);
     this.#planes.update(world);
-    const pointing = this.#app.store.state.person.leftHanded ? "left" : "right";
-    for (const pointer of this.#pointers.rays()) {
+    this.#bar.update(view.model.box, world, eye);
+    const [pointing, holding] = person.leftHanded
+      ? (["left", "right"] as const)
+      : (["right", "left"] as const);
+    let hover: string | null = null;
+    const bearers = [];
+    for (const pointer of this.#pointers.rays(frame, space)) {
       this.#buttons.update(pointer, pointing);
-      if (this.#planes.drag(pointer, world)) continue;
-      const board = this.#boards.hit(pointer.ray);
-      if (this.#boards.slide(pointer.name, board)) continue;
-      const hit = view.picker.ray(pointer.ray, world);
-      const onBoard = board !== null && (!hit || board.distance < hit.distance);
-      if (onBoard) hover ??= board.board.buttonAt(board.u, board.v)?.id ?? null;
-      probing.move(pointer.name, pointer.kind, onBoard ? null : hit);
-      this.#pointers.showHit(pointer, onBoard ? board.distance : (hit?.distance ?? null));
-      this.#dots.show(pointer.name, onBoard ? null : (hit?.world ?? null));
+      bearers.push(...this.#hands.menuHand(pointer, frame, space));
+      const bears = pointer.kind === "hand" && pointer.name === this.#menu.bearer;
+      const on = bears ? this.#hands.rest(pointer) : this.#hands.point(pointer, world, seconds);
+      hover ??= on;
     }
-    const eye = scratchHead.setFromMatrixPosition(this.#head);
+    this.#menu.update(bearers, holding, eye);
+    this.#menu.paint(store.state, hover, this.#app.player.canPlay);
+    this.#dots.update(passed, eye);
     this.#boards.paint(hover, world, eye);
     this.#markers.update(this.#app.overlay.vrMarks(), eye);
   }
 
-  /** The middle of the eyes; false while nobody is tracked. */
-  #findHead(frame: XRFrame | undefined): boolean {
-    const space = this.#app.stage.renderer.xr.getReferenceSpace();
-    const pose = space && frame?.getViewerPose(space);
-    if (pose) this.#head.fromArray(pose.transform.matrix);
-    return pose !== null && pose !== undefined;
-  }
-
-  /** First frame: the person's place is known, the room is laid out round it. */
+  /** First frame: the person's place is known, the room is laid out round it. After a walk the boards follow. */
   #settle(): void {
-    const stand = standOf(this.#head);
-    this.#stand = stand;
-    this.#placeBoards();
-    this.putOnTable();
+    if (!this.#stand) {
+      this.#stand = standOf(this.#head);
+      this.#placeBoards();
+      this.putOnTable();
+    } else if (this.#walked !== null) {
+      const yaw = this.#stand.yaw + (this.#walked * Math.PI) / 180;
+      this.#stand = { position: this.head, yaw };
+      this.#placeBoards();
+    }
+    this.#walked = null;
   }
 
   #placeBoards(): void {
@@ -199,9 +219,18 @@ export class VrSession {
     this.#stand = null;
   }
 
-  nextPage(): void {
-    const ids = ["results", ...this.#app.panelPages().map((page) => page.id)];
-    this.#boards.open(ids[(ids.indexOf(this.#boards.report().page) + 1) % ids.length] ?? "results");
+  callMenu(): void {
+    this.#menu.toggle();
+  }
+
+  /** Degrees to the left. */
+  turn(degrees: number): void {
+    this.#walk.turn(degrees, this.head);
+    this.#walked = (this.#walked ?? 0) + degrees;
+  }
+
+  walked(): void {
+    this.#walked ??= 0;
   }
 
   /** What tests and scripts may know of the room. */
@@ -210,7 +239,13 @@ export class VrSession {
       head: { position: this.head.toArray(), yaw: standOf(this.#head).yaw },
       ...this.#boards.report(),
       labels: this.#markers.report(),
+      menu: this.#menu.report(),
       knobs: this.#planes.places,
+      bar: this.#bar.place,
+      rays: this.#pointers.report(),
+      touching: this.#hands.touching,
+      rings: this.#dots.report(),
+      vignette: this.#vignette.alpha,
       model: this.#app.view.model.worldMatrix().toArray(),
     };
   }
@@ -234,25 +269,15 @@ export class VrSession {
     holder.updateMatrixWorld(true);
   }
 
-  /** From the eyes to the model's middle, metres. */
-  #distanceTo(world: Matrix4): number {
-    const middle = this.#app.view.model.box.getCenter(new Vector3()).applyMatrix4(world);
-    return Math.max(middle.distanceTo(scratchHead.setFromMatrixPosition(this.#head)), 0.1);
-  }
-
   #dispose(): void {
     const { stage, probing, senses } = this.#app;
     senses.stop();
     for (const remove of this.#removals) remove();
     this.#pointers.dispose();
-    this.#markers.dispose();
-    this.#walk.dispose();
-    this.#planes.dispose();
-    this.#boards.dispose();
     for (const name of this.#dots.names) probing.remove(name);
-    this.#dots.dispose();
+    const parts = [this.#markers, this.#walk, this.#planes, this.#bar, this.#vignette, this.#menu];
+    for (const part of [...parts, this.#boards, this.#dots, this.#floor]) part.dispose();
     this.#floor.removeFromParent();
-    this.#floor.dispose();
     stage.holder.matrix.identity();
     stage.holder.updateMatrixWorld(true);
     stage.orbit.apply();

@@ -55,13 +55,19 @@ export class VrWalk {
     this.#ring.position.copy(direction).multiplyScalar(far).add(origin).setY(0.005);
   }
 
-  /** To the ring, if it is there. */
-  go(head: Vector3): void {
-    if (!this.#ring.visible) return;
+  /** Metres to the right and ahead of where the head looks. */
+  step(right: number, ahead: number, yaw: number): void {
+    this.#move(new Vector3(right, 0, -ahead).applyAxisAngle(UP, yaw).negate(), new Quaternion());
+  }
+
+  /** To the ring, if it is there; whether anybody went. */
+  go(head: Vector3): boolean {
+    if (!this.#ring.visible) return false;
     this.#ring.visible = false;
     const way = this.#ring.position.clone().sub(head).setY(0);
     way.clampLength(0, FURTHEST);
     this.#move(way.negate(), new Quaternion());
+    return true;
   }
 
   dispose(): void {

@@ -3,7 +3,6 @@
 import type { Vector3 } from "three";
 import type { App } from "../app/app";
 import type { Notes } from "../app/features/notes";
-import { assign, drivenBy } from "../app/presentation-doc";
 import type { VrWishes } from "./vr-buttons";
 import type { VrPlanes } from "./vr-planes";
 import type { VrWalk } from "./vr-walk";
@@ -12,29 +11,28 @@ import type { VrWalk } from "./vr-walk";
 export interface VrRoom {
   readonly head: Vector3;
   home(): void;
-  nextPage(): void;
+  callMenu(): void;
+  /** Degrees to the left. */
+  turn(degrees: number): void;
+  walked(): void;
 }
 
 export function vrWishes(app: App, walk: VrWalk, planes: VrPlanes, room: VrRoom): VrWishes {
-  const { store, actions } = app;
+  const { actions } = app;
   return {
     note: (pointer) => {
       const state = app.probing.pointer(pointer.name, pointer.kind);
       if (state.place) app.feature<Notes>("notes").pinHere();
     },
     home: () => room.home(),
-    nextPage: () => room.nextPage(),
-    nextResult: () => {
-      const keys = app.view.shown.filter((s) => s.result).map((s) => s.key);
-      const next = keys[(keys.indexOf(drivenBy(store.state.doc, "colour") ?? "") + 1) % keys.length];
-      if (next) store.set({ doc: assign(store.state.doc, next, "colour") });
-    },
+    menu: () => room.callMenu(),
+    nextResult: () => actions.nextResult(),
     stepBy: (count) => actions.stepBy(count),
     toggleSound: () => actions.toggle("sound"),
-    turn: (degrees) => walk.turn(degrees, room.head),
+    turn: (degrees) => room.turn(degrees),
     aimWalk: (pointer) => {
       if (pointer) walk.aim(pointer);
-      else walk.go(room.head);
+      else if (walk.go(room.head)) room.walked();
     },
     carryPlane: (pointer) => {
       if (pointer) planes.carry(pointer, app.view.model.worldMatrix());

@@ -12,10 +12,16 @@ test("right_choices_are_taken_and_wrong_ones_fall_back", () => {
     leftHanded: true,
     wide: true,
     weakest: 0.2,
+    vignette: 0.5,
+    upright: false,
+    byTouch: true,
+    walkKeys: true,
   };
 
   expect(personOf(chosen)).toEqual(chosen);
-  expect(personOf({ master: 7, mono: "yes", strength: -1, weakest: 0.9, other: 1 })).toEqual(DEFAULT_PERSON);
+  expect(personOf({ master: 7, mono: "yes", strength: -1, weakest: 0.9, vignette: 2, other: 1 })).toEqual(
+    DEFAULT_PERSON,
+  );
   expect(personOf(null)).toEqual(DEFAULT_PERSON);
   expect(personOf({ master: "loud" }, chosen)).toEqual(chosen);
 });

@@ -21,7 +21,9 @@ import { timeTests } from "./time.mjs";
 import { touchTests } from "./touch.mjs";
 import { variantTests } from "./variants.mjs";
 import { vrTests } from "./vr.mjs";
+import { vrPinchTests } from "./vr-pinches.mjs";
 import { vrRowTests } from "./vr-rows.mjs";
+import { vrTouchTests } from "./vr-touch.mjs";
 
 const LIMIT_SECONDS = 180;
 const root = fileURLToPath(new URL("../../", import.meta.url));
@@ -63,6 +65,8 @@ for (const { name, run, skip } of [
   ...accessTests,
   ...vrTests,
   ...vrRowTests,
+  ...vrPinchTests,
+  ...vrTouchTests,
   ...touchTests,
   ...programTests,
   ...variantTests,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fingers on the page, the rest of mouse and keyboard, and a pinch that comes and goes (no gamepad, no hover).
+// Fingers on the page, and the rest of mouse and keyboard.
 import assert from "node:assert/strict";
 import { listen, openPage, until } from "./harness.mjs";
 import { middle, viewFrom } from "./look.mjs";
 import { resultIdOf, valueAtPoint } from "./oracle.mjs";
-import { enter, frames, nodeInRoom } from "./vr-hands.mjs";
 
 const state = () => window.feelem.state();
 const probe = () => window.feelem.lastProbe();
@@ -24,48 +23,6 @@ async function fingers(context, page) {
       type,
       touchPoints: points.map(([x, y], id) => ({ x, y, id })),
     });
-}
-
-/** Runs in the page: a pinch of a headset that tells where one looks only while one pinches. */
-function transientPinch() {
-  const { IWER, headset } = globalThis;
-  class Transient extends Object.getPrototypeOf(IWER.XRGazeInput) {
-    constructor(hand) {
-      const space = new IWER.XRSpace(headset.viewerSpace[IWER.P_SPACE].parentSpace);
-      super(new IWER.XRInputSource(hand, "transient-pointer", ["generic-hand"], space));
-    }
-  }
-  let pinch = null;
-  const active = Object.getOwnPropertyDescriptor(IWER.XRDevice.prototype, "activeInputs");
-  Object.defineProperty(headset, "activeInputs", {
-    get() {
-      const others = active.get.call(headset);
-      return pinch ? [...others, pinch] : others;
-    },
-  });
-  headset.controllers.left.connected = false;
-  headset.controllers.right.connected = false;
-  const waiting = [];
-  globalThis.pinch = {
-    begin(from, turn) {
-      pinch = new Transient("right");
-      pinch.connected = true;
-      pinch.position.set(...from);
-      pinch.quaternion.set(...turn);
-    },
-    start: () => waiting.push("selectstart"),
-    end: () => waiting.push("selectend"),
-  };
-  // Events belong to a frame.
-  const step = (_, frame) => {
-    for (const type of waiting.splice(0)) {
-      const { inputSource } = pinch;
-      frame.session.dispatchEvent(new XRInputSourceEvent(type, { frame, inputSource }));
-      if (type === "selectend") pinch = null;
-    }
-    globalThis.xrSession.requestAnimationFrame(step);
-  };
-  globalThis.xrSession.requestAnimationFrame(step);
 }
 
 export const touchTests = [
@@ -175,35 +132,6 @@ export const touchTests = [
       await until(page, listen, (h) => h.level < 1e-4, "silence while muted");
       await page.keyboard.up("s");
       assert.deepEqual(problems, []);
-      await context.close();
-    },
-  },
-  {
-    name: "vr_transient_pinch_is_heard_while_it_lasts_and_ticks_stand_in",
-    async run({ browser, url }) {
-      const { page, context } = await enter(browser, url);
-      await page.evaluate(transientPinch);
-      await frames(page, 4);
-      const { deformationFactor } = await page.evaluate(state);
-      const to = nodeInRoom(80, 20, 30, deformationFactor);
-      const from = [to[0], to[1] + 0.35, to[2] + 0.5];
-      const d = to.map((v, i) => v - from[i]);
-      const [x, y, z] = d.map((v) => v / Math.hypot(...d));
-      const size = Math.hypot(y, x, 1 - z);
-      await page.evaluate(
-        ([from, turn]) => globalThis.pinch.begin(from, turn),
-        [from, [y / size, -x / size, 0, (1 - z) / size]],
-      );
-      await frames(page, 3);
-      await page.evaluate(() => globalThis.pinch.start());
-      const here = await until(page, probe, (r) => r?.pointer === "right-transient", "the pinch on the bar");
-      assert.ok(Math.abs(here.point[0] - 80) < 0.5, `at ${here.point}`);
-      await until(page, listen, (h) => h.level > 0.002 && Math.abs(h.hz / here.hz - 1) < 0.01, "the tone");
-      assert.ok(here.tickRate > 0);
-      await page.evaluate(() => globalThis.pinch.end());
-      await until(page, listen, (h) => h.level < 1e-4, "silence");
-      await until(page, probe, (r) => r === null, "nobody points");
-      assert.equal((await page.evaluate(() => window.feelem.pulses())).length, 0);
       await context.close();
     },
   },

@@ -4,7 +4,19 @@
 import assert from "node:assert/strict";
 import { listen, until } from "./harness.mjs";
 import { resultIdOf, valueAtNode } from "./oracle.mjs";
-import { aim, aimAtNode, button, enter, frames, nodeInRoom, panelButton, pressPanel } from "./vr-hands.mjs";
+import {
+  aim,
+  aimAtNode,
+  button,
+  enter,
+  frames,
+  hand,
+  nodeInRoom,
+  panelButton,
+  pinch,
+  pressPanel,
+  useHands,
+} from "./vr-hands.mjs";
 
 const state = () => window.feelem.state();
 const probe = () => window.feelem.lastProbe();
@@ -75,7 +87,14 @@ export const vrRowTests = [
       assert.equal(pins[0].node, node);
       const { headset } = await page.evaluate(state);
       await press(page, "right", "b-button");
-      await until(page, state, (s) => s.headset.page !== headset.page, "the next tab");
+      await until(
+        page,
+        state,
+        (s) => s.headset.menu?.hand === "left-controller",
+        "the menu at the other hand",
+      );
+      await press(page, "right", "b-button");
+      await until(page, state, (s) => s.headset.menu === null, "no menu");
       await press(page, "left", "y-button");
       const seen = (s) => s.presentation.effects.find((e) => e.type === "colour").result;
       await until(page, state, (s) => seen(s) === "U", "the next result");
@@ -276,35 +295,14 @@ export const vrRowTests = [
     name: "vr_hands_sense_by_pinch_press_the_panel_and_carry_the_model",
     async run({ browser, url, scene }) {
       const { page, context, problems } = await enter(browser, url);
-      await page.evaluate(() => {
-        window.headset.primaryInputMode = "hand";
-      });
-      await frames(page, 6);
-      const hand = async (side, from, to) => {
-        await page.evaluate(
-          ({ side, from, to }) => {
-            const d = to.map((v, i) => v - from[i]);
-            const [x, y, z] = d.map((v) => v / Math.hypot(...d));
-            const q = [y, -x, 0, 1 - z];
-            const size = Math.hypot(...q);
-            window.headset.hands[side].position.set(...from);
-            window.headset.hands[side].quaternion.set(...q.map((v) => v / size));
-          },
-          { side, from, to },
-        );
-        await frames(page, 4);
-      };
-      const pinch = async (side, on) => {
-        await page.evaluate(({ side, on }) => window.headset.hands[side].updatePinchValue(on), { side, on });
-        await frames(page, 4);
-      };
+      await useHands(page);
       const { deformationFactor } = await page.evaluate(state);
       const to = nodeInRoom(80, 20, 30, deformationFactor);
-      await hand("right", [to[0], to[1] + 0.35, to[2] + 0.5], to);
+      await hand(page, "right", [to[0], to[1] + 0.35, to[2] + 0.5], to);
       const seen = await until(page, probe, (r) => r?.pointer === "right-hand" && r.nodeId, "the hand's ray");
       for (const entry of seen.results)
         assert.equal(entry.nodeValue, valueAtNode(scene, resultIdOf(scene, entry), 1, seen.nodeId));
-      await pinch("right", 1);
+      await pinch(page, "right", 1);
       const { hz } = await page.evaluate(probe);
       await until(
         page,
@@ -314,26 +312,26 @@ export const vrRowTests = [
       );
       const { tickRate } = await page.evaluate(probe);
       assert.ok(tickRate > 0, "ticks stand in for pulses where nothing shakes");
-      await pinch("right", 0);
+      await pinch(page, "right", 0);
       await until(page, listen, (h) => h.level < 1e-4, "silence");
       assert.equal((await page.evaluate(() => window.feelem.pulses())).length, 0);
-      await hand("right", [0.1, 1.3, -0.1], await panelButton(page, "deform:true"));
-      await pinch("right", 1);
-      await pinch("right", 0);
+      await hand(page, "right", [0.1, 1.3, -0.1], await panelButton(page, "deform:true"));
+      await pinch(page, "right", 1);
+      await pinch(page, "right", 0);
       await until(page, state, (s) => s.deformationFactor === 1, "true scale");
       // A pinch on nothing carries the model, two scale it.
       const origin = async () => (await page.evaluate(state)).headset.model;
-      await hand("right", [0.3, 1.2, -0.3], [0.3, 3, -3]);
-      await pinch("right", 1);
+      await hand(page, "right", [0.3, 1.2, -0.3], [0.3, 3, -3]);
+      await pinch(page, "right", 1);
       // The wrist gives way while the fingers close.
       await frames(page, 12);
       const start = await origin();
-      await hand("right", [0.5, 1.2, -0.3], [0.5, 3, -3]);
+      await hand(page, "right", [0.5, 1.2, -0.3], [0.5, 3, -3]);
       const carried = await origin();
       near([carried[12] - start[12], carried[13] - start[13]], [0.2, 0], 0.01, "carried by 0.2 m");
-      await hand("left", [-0.1, 1.2, -0.3], [-0.1, 3, -3]);
-      await pinch("left", 1);
-      await hand("left", [-0.7, 1.2, -0.3], [-0.7, 3, -3]);
+      await hand(page, "left", [-0.1, 1.2, -0.3], [-0.1, 3, -3]);
+      await pinch(page, "left", 1);
+      await hand(page, "left", [-0.7, 1.2, -0.3], [-0.7, 3, -3]);
       const scaled = await origin();
       assert.ok(Math.abs(Math.hypot(...scaled.slice(0, 3)) / Math.hypot(...carried.slice(0, 3)) - 2) < 0.05);
       assert.deepEqual(problems, []);

@@ -56,3 +56,44 @@ test("node_and_element_are_found_by_id_and_unknown_ones_are_not", async () => {
   expect(findNode(parts, 0)).toBeNull();
   expect(findElement(parts, 999_999)).toBeNull();
 });
+
+test("nearest_place_of_a_point_is_found_within_reach_on_the_deformed_skin", async () => {
+  const scene = await open();
+  const picker = new Picker(scene.parts);
+  await picker.build();
+  const result = scene.extras.results.find((r) => r.id === "displacement")!;
+  picker.setShape(
+    (await scene.loadField(result, 1)).map((f) => f?.values ?? null),
+    5,
+  );
+  const sag = 5 * tinyValues.displacement(100, 1)[2];
+  // Metres where the model is in millimetres, and standing somewhere in the room.
+  const world = new Matrix4().makeTranslation(1, 2, 3).scale(new Vector3(0.001, 0.001, 0.001));
+  const over = (height: number) => new Vector3(100, 20, 30 + sag + height).applyMatrix4(world);
+
+  const touched = picker.near(over(20), 0.03, world);
+
+  expect(placePoint(scene.parts[0]!, touched!, [0, 0, 0])[2]).toBeCloseTo(30, 4);
+  // The bar is bent: straight up is not quite the shortest way.
+  expect(touched?.distance).toBeGreaterThan(0.018);
+  expect(touched?.distance).toBeLessThan(0.02);
+  expect(picker.near(over(40), 0.03, world)).toBeNull();
+});
+
+test("nearest_place_is_neither_cut_away_nor_hidden", async () => {
+  const { parts } = await open();
+  const picker = new Picker(parts);
+  await picker.build();
+  const above = new Vector3(100, 20, 32);
+  const at = () => {
+    const hit = picker.near(above, 100, none);
+    return hit && placePoint(parts[0]!, hit, [0, 0, 0]).map((v) => Math.round(v));
+  };
+
+  expect(at()).toEqual([100, 20, 30]);
+  picker.setCuts([{ normal: [1, 0, 0], offset: 80 }]);
+  expect(at()![0]).toBeLessThanOrEqual(80);
+  picker.setCuts([]);
+  picker.setLooks(["hidden"]);
+  expect(at()).toBeNull();
+});

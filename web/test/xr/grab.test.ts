@@ -70,3 +70,14 @@ test("second_hand_and_letting_go_do_not_make_the_model_jump", () => {
   grab.letGo("right", model);
   expect(grab.move(hands(pose(0, 0, 0), pose(0, 0, 0)))).toBeNull();
 });
+
+test("two_hands_tilt_the_model_only_where_that_is_wanted", () => {
+  const from = [new Vector3(-1, 1, 0), new Vector3(1, 1, 0)] as const;
+  const to = [new Vector3(0, 0, 0), new Vector3(0, 2, 0)] as const;
+
+  const free = carryWithTwo(new Matrix4(), from, to, false);
+  const upright = carryWithTwo(new Matrix4(), from, to, true);
+
+  expect(at(free, 1, 1, 0)).toEqual([0, 2, 0]);
+  expect(at(upright, 0, 2, 0)).toEqual([0, 2, 0]);
+});
