@@ -11,17 +11,18 @@ MAY_INCLUDE = {
     "read": ["base", "model"],
     "derive": ["base", "model"],
     "skin": ["base", "model"],
+    "inside": ["base", "model", "skin"],
     "pick": ["base", "model"],
     "write": ["base", "model"],
     "present": ["base"],
     "scene": ["base", "model", "present"],
-    "convert": ["base", "model", "read", "derive", "skin", "pick", "present", "scene", "write"],
+    "convert": ["base", "model", "read", "derive", "skin", "inside", "pick", "present", "scene", "write"],
     "distribute": ["base", "model", "convert"],
 }
 PUBLIC_HEADER_OWNER = {
     "error": "base", "diagnostics": "base",
     "ids": "model", "element_type": "model", "mesh": "model", "result": "model", "model": "model", "surface": "model",
-    "read": "read", "derive": "derive", "skin": "skin", "pick": "pick", "write": "write", "present": "present",
+    "read": "read", "derive": "derive", "skin": "skin", "inside": "inside", "pick": "pick", "write": "write", "present": "present",
     "scene": "scene", "convert": "convert", "probe": "convert",
 }
 ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli",

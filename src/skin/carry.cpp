@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Results onto the vertices of the skin: bit for bit where a node has a value.
 #include "base/parallel.hpp"
+#include "skin/result_rows.hpp"
 
 #include "feelem/skin.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,62 +13,6 @@
 
 namespace feelem {
 namespace {
-
-constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
-
-/// Where a vertex stands: what is needed to find its row, or that of another node there.
-struct Place {
-    PartIndex part{};
-    ElementIndex element = kNoElement;
-};
-
-/// Finds rows of a result by node and place.
-class Rows {
-public:
-    Rows(const Result& result, std::size_t node_count) : result_(result), row_count_(result.row_count()) {
-        assert(result.info.location != Location::Nodal || row_count_ == node_count);
-        (void)node_count;
-        const bool has_owners =
-            result.info.location == Location::PartNodal || result.info.location == Location::ElementNodal;
-        if (has_owners) row_count_ = std::min({row_count_, result.row_owner.size(), result.row_node.size()});
-    }
-
-    std::size_t find(NodeIndex node, Place place) const {
-        switch (result_.info.location) {
-        case Location::Nodal: return known(raw(node));
-        case Location::Elemental: return place.element == kNoElement ? kNoRow : known(raw(place.element));
-        case Location::PartNodal: {
-            const auto [first, last] = rows_of(raw(place.part));
-            const auto begin = result_.row_node.begin();
-            const auto end = begin + static_cast<std::ptrdiff_t>(last);
-            const auto found = std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), end, node);
-            return found == end || *found != node ? kNoRow : static_cast<std::size_t>(found - begin);
-        }
-        case Location::ElementNodal: {
-            if (place.element == kNoElement) return kNoRow;
-            const auto [first, last] = rows_of(raw(place.element));
-            for (std::size_t row = first; row < last; ++row) {
-                if (result_.row_node[row] == node) return row;
-            }
-            return kNoRow;
-        }
-        }
-        return kNoRow;
-    }
-
-private:
-    std::size_t known(std::size_t row) const { return row < row_count_ ? row : kNoRow; }
-
-    std::pair<std::size_t, std::size_t> rows_of(std::uint32_t owner) const {
-        const auto begin = result_.row_owner.begin();
-        const auto range = std::equal_range(begin, begin + static_cast<std::ptrdiff_t>(row_count_), owner);
-        return {
-            static_cast<std::size_t>(range.first - begin), static_cast<std::size_t>(range.second - begin)};
-    }
-
-    const Result& result_;
-    std::size_t row_count_;
-};
 
 class Carrier {
 public:
@@ -98,12 +42,12 @@ public:
     }
 
 private:
-    Place place(const SurfacePart& part, std::size_t i) const {
+    ResultPlace place(const SurfacePart& part, std::size_t i) const {
         const std::size_t vertex = part.first_vertex + i;
         return {part.part, surface_.vertex_element.empty() ? kNoElement : surface_.vertex_element[vertex]};
     }
 
-    void copy(std::size_t vertex, Place place) {
+    void copy(std::size_t vertex, ResultPlace place) {
         const NodeIndex node = surface_.vertex_node[vertex];
         if (node == kNoNode) return;
         const std::size_t row = rows_.find(node, place);
@@ -147,16 +91,13 @@ private:
         }
     }
 
-    /// Decision 16: the mean of the two corners, in double, rounded once.
     void fill(std::size_t vertex, std::size_t row_a, std::size_t row_b) {
         if (row_a == kNoRow || row_b == kNoRow) return;
         bool is_whole = true;
         for (std::size_t c = 0; c < width_; ++c) {
             float& value = field_.values[vertex * width_ + c];
             if (!std::isnan(value)) continue;
-            const double a = static_cast<double>(result_.values[row_a * width_ + c]);
-            const double b = static_cast<double>(result_.values[row_b * width_ + c]);
-            value = static_cast<float>((a + b) / 2);
+            value = middle_value(result_.values[row_a * width_ + c], result_.values[row_b * width_ + c]);
             is_whole = is_whole && !std::isnan(value);
         }
         if (is_whole) field_.validity[vertex] = Validity::Interpolated;
@@ -181,7 +122,7 @@ private:
     const Mesh& mesh_;
     const Surface& surface_;
     const Result& result_;
-    Rows rows_;
+    ResultRows rows_;
     std::size_t width_;
     SurfaceField field_;
 };
