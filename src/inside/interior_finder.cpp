@@ -13,20 +13,14 @@
 #include <utility>
 
 namespace feelem {
-namespace {
-
-/// Of the reference element, whose edges have length 1: so far outside a place still belongs to it.
-constexpr double kTolerance = 1e-6;
-constexpr std::size_t kFan = 8;
-
-struct Box {
+struct PlaceBox {
     std::array<float, 3> low, high;
 
-    static Box empty() {
+    static PlaceBox empty() {
         constexpr float kFar = std::numeric_limits<float>::infinity();
         return {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
     }
-    void add(const Box& other) {
+    void add(const PlaceBox& other) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             low[axis] = std::min(low[axis], other.low[axis]);
             high[axis] = std::max(high[axis], other.high[axis]);
@@ -40,6 +34,12 @@ struct Box {
         return true;
     }
 };
+
+namespace {
+
+/// Of the reference element, whose edges have length 1: so far outside a place still belongs to it.
+constexpr double kTolerance = 1e-6;
+constexpr std::size_t kFan = 8;
 
 /// Weights of the corners at the place where each further node of the reference element is.
 const std::vector<ShapeWeights>& straight_weights(ElementType type) {
@@ -59,7 +59,7 @@ const std::vector<ShapeWeights>& straight_weights(ElementType type) {
 
 /// Holds the whole element however it is bent: its places are those of its corners' element, and each further
 /// node takes them at most as far from there as it is itself.
-std::optional<Box> box_of(
+std::optional<PlaceBox> box_of(
     ElementType type, std::span<const NodeIndex> nodes, std::span<const Point3> places
 ) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -81,7 +81,7 @@ std::optional<Box> box_of(
             beyond[axis] += std::abs(off);
         }
     }
-    Box box{};
+    PlaceBox box{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double more = beyond[axis] + 1e-5 * (high[axis] - low[axis]);
         box.low[axis] = std::nextafterf(static_cast<float>(low[axis] - more), -kFar);
@@ -108,7 +108,7 @@ struct InteriorFinder::Tree {
     const Solids& solids;
     std::vector<std::uint32_t> first_of_block;
     std::vector<std::uint32_t> elements;  ///< Along a curve that keeps neighbours together.
-    std::vector<std::vector<Box>>
+    std::vector<std::vector<PlaceBox>>
         levels;  ///< The first has a box for eight elements each, the last has one box.
 
     SolidRef solid(std::uint32_t element) const {
@@ -118,13 +118,13 @@ struct InteriorFinder::Tree {
     }
 
     void build();
-    std::vector<std::pair<std::uint32_t, Box>> boxed_elements() const;
+    std::vector<std::pair<std::uint32_t, PlaceBox>> boxed_elements() const;
     /// Elements whose boxes have the place, in no order.
     std::vector<std::uint32_t> candidates(const Point3& place) const;
 };
 
-std::vector<std::pair<std::uint32_t, Box>> InteriorFinder::Tree::boxed_elements() const {
-    std::vector<std::pair<std::uint32_t, Box>> out;
+std::vector<std::pair<std::uint32_t, PlaceBox>> InteriorFinder::Tree::boxed_elements() const {
+    std::vector<std::pair<std::uint32_t, PlaceBox>> out;
     out.reserve(solids.count);
     for (std::size_t b = 0; b < solids.mesh->blocks.size(); ++b) {
         const ElementBlock& block = solids.mesh->blocks[b];
@@ -147,14 +147,14 @@ void InteriorFinder::Tree::build() {
         before += static_cast<std::uint32_t>(block.ids.size());
     }
     const auto boxed = boxed_elements();
-    Box whole = Box::empty();
+    PlaceBox whole = PlaceBox::empty();
     for (const auto& [element, box] : boxed) whole.add(box);
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(boxed.size());  // code, place in `boxed`
     parallel_chunks(boxed.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             std::array<std::uint32_t, 3> cell{};
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const Box& box = boxed[i].second;
+                const PlaceBox& box = boxed[i].second;
                 const double low = static_cast<double>(whole.low[axis]);
                 const double size = static_cast<double>(whole.high[axis]) - low;
                 const double middle =
@@ -167,16 +167,16 @@ void InteriorFinder::Tree::build() {
     });
     std::ranges::sort(order);
     elements.reserve(order.size());
-    std::vector<Box>& leaves = levels.emplace_back();
+    std::vector<PlaceBox>& leaves = levels.emplace_back();
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i % kFan == 0) leaves.push_back(Box::empty());
+        if (i % kFan == 0) leaves.push_back(PlaceBox::empty());
         leaves.back().add(boxed[order[i].second].second);
         elements.push_back(boxed[order[i].second].first);
     }
     while (levels.back().size() > 1) {
-        std::vector<Box> above;
+        std::vector<PlaceBox> above;
         for (std::size_t i = 0; i < levels.back().size(); ++i) {
-            if (i % kFan == 0) above.push_back(Box::empty());
+            if (i % kFan == 0) above.push_back(PlaceBox::empty());
             above.back().add(levels.back()[i]);
         }
         levels.push_back(std::move(above));

@@ -64,7 +64,7 @@ private:
 
     std::array<std::uint8_t, kFacetPoints> points_of(const Outline& outline) {
         std::array<std::uint8_t, kFacetPoints> points{};
-        for (std::size_t i = 0; i < outline.count; ++i) {
+        for (std::size_t i = 0; i < outline.corners.size() && i < outline.count; ++i) {
             points[i] = local(outline.corners[i]);
             if (!outline.has_middles()) continue;
             const NodeIndex middle = outline.middles[i];
