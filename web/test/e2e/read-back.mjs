@@ -71,8 +71,8 @@ export async function probedAt(page, points) {
 export async function legendRows(page, png) {
   const box = await page.locator(".legend-canvas").boundingBox();
   const x = Math.round(box.x + box.width / 2);
-  const top = Math.ceil(box.y);
-  const count = Math.floor(box.y + box.height) - top;
+  const top = Math.round(box.y);
+  const count = Math.round(box.y + box.height) - top;
   const points = Array.from({ length: count }, (_, i) => [x, top + count - 1 - i]);
   return pixelsOf(page, png, points);
 }

@@ -10,6 +10,7 @@ import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { keepTests } from "./keep.mjs";
 import { lanTests } from "./lan.mjs";
+import { legendTests } from "./legend.mjs";
 import { listeningTests } from "./listening.mjs";
 import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
@@ -57,6 +58,7 @@ let skipped = 0;
 for (const { name, run, skip } of [
   ...deskTests,
   ...claimTests,
+  ...legendTests,
   ...lookTests,
   ...listeningTests,
   ...timeTests,
