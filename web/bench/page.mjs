@@ -9,9 +9,9 @@ import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { launch } from "../test/e2e/harness.mjs";
+import { watchPage } from "../test/e2e/watch-page.mjs";
 import { makeModel } from "./make-model.mjs";
 import { serveFiles } from "./serve-files.mjs";
-import { watchPage } from "./watch-page.mjs";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 const MB = 1e6;

@@ -6,7 +6,10 @@ import { Shell } from "./app/shell";
 
 const query = new URLSearchParams(location.search);
 const host = document.getElementById("app") ?? document.body;
-const shell = new Shell(host, query.get("antialias") !== "0");
+const shell = new Shell(host, {
+  antialias: query.get("antialias") !== "0",
+  governed: query.get("governor") !== "0",
+});
 
 const ready = shell.openAddress(query.get("scene") ?? "scene.glb");
 publishApi(ready, () => shell.app);

@@ -30,6 +30,8 @@ import { VrEntry } from "./vr-entry";
 export interface AppOptions {
   readonly sceneUrl: string;
   readonly antialias: boolean;
+  /** The picture gets coarser while it moves, where frames would take too long. */
+  readonly governed: boolean;
   /** Asks for a file and opens it. */
   readonly openFile: () => void;
 }
@@ -56,7 +58,7 @@ export class App implements ApiSource {
   constructor(page: Page, scene: SceneData, options: AppOptions) {
     this.#page = page;
     this.#options = options;
-    this.stage = new Stage(page.stageHost, { antialias: options.antialias });
+    this.stage = new Stage(page.stageHost, options);
     this.store = new Store(firstState(scene));
     this.view = new ModelView(scene, this.store, () => this.#reshown());
     this.stage.holder.add(this.view.model.group);
@@ -77,6 +79,7 @@ export class App implements ApiSource {
       attachKeyboard(this.keys),
       attachDeskPointer(this),
       this.store.subscribe((state, before) => this.#stateChanged(state, before)),
+      this.stage.onFrame(() => this.view.model.allowEdges(this.stage.quality.drawn.edges)),
       this.stage.onFrame(() => this.#frame()),
       followSystem(() => applyTheme(this.store.state.theme, this.stage)),
     );

@@ -36,13 +36,13 @@ async function droppedFiles(data: DataTransfer): Promise<File[]> {
 
 export class Shell {
   readonly #host: HTMLElement;
-  readonly #antialias: boolean;
+  readonly #drawing: { antialias: boolean; governed: boolean };
   #app: App | null = null;
   #page: Page;
 
-  constructor(host: HTMLElement, antialias: boolean) {
+  constructor(host: HTMLElement, drawing: { antialias: boolean; governed: boolean }) {
     this.#host = host;
-    this.#antialias = antialias;
+    this.#drawing = drawing;
     this.#page = new Page(host);
     window.addEventListener("dragover", (event) => {
       event.preventDefault();
@@ -105,7 +105,7 @@ export class Shell {
       this.#app.dispose();
       this.#page = new Page(this.#host);
     }
-    const options: AppOptions = { sceneUrl, antialias: this.#antialias, openFile: () => this.#choose() };
+    const options: AppOptions = { sceneUrl, ...this.#drawing, openFile: () => this.#choose() };
     this.#app = new App(this.#page, scene, options);
     await this.#app.start();
   }

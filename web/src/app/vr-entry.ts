@@ -4,6 +4,9 @@ import { askForVr, requestVr, type VrAnswer, VrSession } from "../xr";
 import type { App } from "./app";
 import { applyTheme } from "./theme";
 
+/** Frames a second where the headset does not say. */
+const HEADSET_RATE = 72;
+
 export class VrEntry {
   answer: VrAnswer = { vr: "unknown", hint: "" };
   readonly #app: App;
@@ -32,6 +35,7 @@ export class VrEntry {
       const session = await requestVr();
       stage.renderer.xr.setReferenceSpaceType("local-floor");
       await stage.renderer.xr.setSession(session);
+      stage.quality.setFrameRate(session.frameRate ?? HEADSET_RATE);
       store.set({ session: "immersive-vr", problem: null });
       senses.watch(session);
       this.#stay = new VrSession(this.#app, session, () => this.#left());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines of the model: whose node each end has, how long they are, and the ghost of the undeformed shape.
 import { BufferAttribute, BufferGeometry, LineSegments } from "three";
-import type { ScenePart } from "../scene";
+import { firstVertices, type ScenePart } from "../scene";
 import { featureEdges } from "./feature-edges";
 import type { EdgeMaterial } from "./field-material";
 import type { Slice } from "./merged";
@@ -12,14 +12,10 @@ export function edgeSources(faces: readonly Slice[], edges: readonly Slice[]): I
   for (const { part, firstVertex } of edges) {
     const face = faces.find((slice) => slice.part === part);
     if (!face || !part.edges) continue;
-    const vertexOf = new Map<number, number>();
-    for (let i = 0; i < part.nodeIds.length; ++i) {
-      const id = part.nodeIds[i] ?? 0;
-      if (id !== 0 && !vertexOf.has(id)) vertexOf.set(id, i);
-    }
+    const vertexOf = firstVertices(part.nodeIds);
     for (let i = 0; i < part.edges.nodeIds.length; ++i) {
-      const vertex = vertexOf.get(part.edges.nodeIds[i] ?? 0);
-      if (vertex !== undefined) out[firstVertex + i] = face.firstVertex + vertex;
+      const vertex = vertexOf(part.edges.nodeIds[i] ?? 0);
+      if (vertex >= 0) out[firstVertex + i] = face.firstVertex + vertex;
     }
   }
   return out;

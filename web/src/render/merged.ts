@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All parts as one geometry of faces and one of edges: two draw calls, however many parts there are.
-import { BufferAttribute, BufferGeometry } from "three";
+import { BufferAttribute, BufferGeometry, Sphere } from "three";
 import type { ScenePart } from "../scene";
 
 /** Where a part stands in the merged arrays. */
@@ -88,8 +88,8 @@ function merge(pieces: readonly Piece[], numbers: readonly number[]): Merged {
   geometry.setAttribute("owner", owner);
   geometry.setAttribute("displacement", changing(first, 3));
   geometry.setIndex(list);
-  // Asked for when it is drawn, and then the places are with the card.
-  geometry.computeBoundingSphere();
+  // Asked for when it is drawn, to sort by it; nothing is culled, and the places are with the card by then.
+  geometry.boundingSphere = new Sphere();
   return { geometry, slices };
 }
 

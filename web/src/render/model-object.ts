@@ -40,6 +40,7 @@ export class ModelObject {
   #typicalEdge = 0;
   #ghost: LineSegments | null = null;
   #edgesWanted = true;
+  #edgesAllowed = true;
   #palette: Palette | null = null;
 
   constructor(scene: SceneData) {
@@ -203,6 +204,11 @@ export class ModelObject {
     this.#edgesWanted = wanted;
   }
 
+  /** False while the picture moves too slowly. */
+  allowEdges(allowed: boolean): void {
+    this.#edgesAllowed = allowed;
+  }
+
   /** The shape before it moved, as lines. */
   setGhost(wanted: boolean): void {
     if (wanted && !this.#ghost) {
@@ -219,7 +225,7 @@ export class ModelObject {
     const scale = scratchScale.setFromMatrixScale(this.group.matrixWorld).x;
     const pixels = pixelSize > 0 ? (this.#typicalEdge * scale) / pixelSize : 0;
     const share = Math.min(Math.max((pixels - 2) / 18, 0), 1);
-    this.#edgeMaterial.setOpacity(this.#edgesWanted ? 0.55 * share : 0);
+    this.#edgeMaterial.setOpacity(this.#edgesWanted && this.#edgesAllowed ? 0.55 * share : 0);
   }
 
   /** Model units to world. */

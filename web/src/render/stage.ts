@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Canvas, renderer, camera and the frame loop. Draws only when something changed, or in a headset.
 import { Group, PerspectiveCamera, type Ray, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { FINEST, type Level } from "./governor";
 import { Orbit } from "./orbit";
+import { Quality } from "./quality";
 
 export type FrameListener = (seconds: number, frame: XRFrame | undefined) => void;
 
@@ -15,20 +17,24 @@ export class Stage {
   readonly holder = new Group();
   readonly camera = new PerspectiveCamera(30, 1, 0.01, 100);
   readonly orbit: Orbit;
+  readonly quality: Quality;
   readonly #frames = new Set<FrameListener>();
   readonly #lateFrames = new Set<FrameListener>();
   readonly #host: HTMLElement;
   readonly #resizeObserver: ResizeObserver;
   #dirty = true;
+  #drawnLevel: Level;
   #running = 0;
 
-  constructor(host: HTMLElement, options: { antialias: boolean }) {
+  constructor(host: HTMLElement, options: { antialias: boolean; governed: boolean }) {
+    this.quality = new Quality(options.governed);
     this.renderer = new WebGLRenderer({ antialias: options.antialias, powerPreference: "high-performance" });
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
     host.prepend(this.canvas);
     this.scene.add(this.holder);
     this.orbit = new Orbit(this.camera, () => this.invalidate());
+    this.#drawnLevel = this.quality.drawn;
     this.renderer.xr.enabled = true;
     this.#host = host;
     this.#resizeObserver = new ResizeObserver(() => this.refit());
@@ -70,15 +76,38 @@ export class Stage {
   /** Fills its place on the page again. */
   refit(): void {
     if (this.renderer.xr.isPresenting) return;
+    this.quality.setFrameRate(null);
     const { clientWidth, clientHeight } = this.#host;
     if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.#pixelRatio);
     this.renderer.setSize(clientWidth, clientHeight);
     this.camera.aspect = clientWidth / clientHeight;
     this.orbit.reshaped();
   }
 
+  get #fullRatio(): number {
+    return Math.min(window.devicePixelRatio, 2);
+  }
+
+  get #pixelRatio(): number {
+    return this.#fullRatio * this.quality.drawn.resolution;
+  }
+
+  /** The level of the governor, before anybody sets up this frame. */
+  #applyLevel(frame: XRFrame | undefined): void {
+    const { drawn } = this.quality;
+    if (this.renderer.xr.isPresenting) {
+      const space = this.renderer.xr.getReferenceSpace();
+      const views = (space && frame?.getViewerPose(space)?.views) ?? [];
+      for (const view of views) view.requestViewportScale?.(drawn.resolution);
+    } else if (drawn !== this.#drawnLevel) this.renderer.setPixelRatio(this.#pixelRatio);
+    this.#drawnLevel = drawn;
+  }
+
   #frame(seconds: number, frame: XRFrame | undefined): void {
+    const active = this.#dirty || this.#running > 0 || this.renderer.xr.isPresenting;
+    if (this.quality.next(seconds, active)) this.#dirty = true;
+    this.#applyLevel(frame);
     for (const listener of this.#frames) listener(seconds, frame);
     for (const listener of this.#lateFrames) listener(seconds, frame);
     if (!this.#dirty && this.#running === 0 && !this.renderer.xr.isPresenting) return;
@@ -86,8 +115,12 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** Draws now, so that the canvas can be read. */
+  /** Draws now at the finest, so that the canvas can be read. */
   draw(): void {
+    if (this.#drawnLevel !== FINEST) {
+      this.#drawnLevel = FINEST;
+      this.renderer.setPixelRatio(this.#fullRatio);
+    }
     this.renderer.render(this.scene, this.camera);
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes: bytes to typed arrays.
 export { differenceResult } from "./difference";
-export { type NodeNumbers, nodeNumbers } from "./node-numbers";
+export { firstVertices, type NodeNumbers, nodeNumbers } from "./node-numbers";
 export { openScene, type SceneData } from "./scene-file";
 export * from "./scene-types";

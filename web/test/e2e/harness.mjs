@@ -61,19 +61,10 @@ export async function launch() {
 }
 
 /** `url` of the page; asks for nothing else are recorded in `foreign`. */
-export async function openPage(
-  browser,
-  url,
-  {
-    width = 900,
-    height = 620,
-    headset = false,
-    dark = false,
-    smooth = false,
-    offline = false,
-    before = null,
-  } = {},
-) {
+export async function openPage(browser, url, options = {}) {
+  const { width = 900, height = 620, headset = false, dark = false, offline = false } = options;
+  // Pictures that are compared must not depend on how quick this machine is.
+  const { smooth = false, governed = false, before = null } = options;
   const context = await browser.newContext({
     viewport: { width, height },
     ignoreHTTPSErrors: true,
@@ -100,8 +91,8 @@ export async function openPage(
   page.on("console", (message) => {
     if (message.type() === "error") problems.push(message.text());
   });
-  await page.goto(smooth ? url : `${url}?antialias=0`);
-  await page.evaluate(() => window.feelem.ready);
+  await page.goto(smooth ? url : `${url}?antialias=0${governed ? "" : "&governor=0"}`);
+  if (!options.early) await page.evaluate(() => window.feelem.ready);
   return { page, context, foreign, problems };
 }
 

@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { build } from "vite";
 import { tinyScene } from "../support/tiny-scene.ts";
 import { accessTests } from "./access.mjs";
+import { budgetTests } from "./budget.mjs";
 import { claimTests } from "./claims.mjs";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
@@ -60,6 +61,7 @@ for (const { name, run, skip } of [
   ...claimTests,
   ...legendTests,
   ...lookTests,
+  ...budgetTests,
   ...listeningTests,
   ...timeTests,
   ...keepTests,

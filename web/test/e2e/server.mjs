@@ -14,7 +14,7 @@ const TYPES = {
   ".glb": "model/gltf-binary",
 };
 
-/** `files`: path -> bytes, looked at before dist/. */
+/** `files`: path -> bytes, looked at before dist/; or bytes of which what comes after `hold` waits for `free`. */
 export async function serve(files = new Map()) {
   const server = createServer(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url, "http://x").pathname).slice(1) || "index.html";
@@ -25,7 +25,10 @@ export async function serve(files = new Map()) {
         "Content-Security-Policy":
           "default-src 'self'; img-src 'self' data: blob:; connect-src 'self' data: blob:; worker-src 'self' blob:",
       });
-      response.end(Buffer.from(bytes));
+      if (!bytes.free) return response.end(Buffer.from(bytes));
+      response.write(Buffer.from(bytes.whole).subarray(0, bytes.hold));
+      await bytes.free;
+      response.end(Buffer.from(bytes.whole).subarray(bytes.hold));
     } catch {
       response.writeHead(404);
       response.end("not found");

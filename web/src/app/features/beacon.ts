@@ -99,9 +99,10 @@ export class BeaconFeature implements Feature {
   }
 
   section(): Section {
-    const model = { on: this.#on, spot: this.#text(), words: this.#now?.words ?? "" };
+    // Hot spots are looked for when somebody wants them: a folded section costs nothing.
+    const model = () => ({ on: this.#on, spot: this.#text(), words: this.#now?.words ?? "" });
     const summary = this.#on ? this.#text() : "";
-    return { id: this.id, title: "Beacon of a hot spot", summary, body: () => beaconTemplate(model, this) };
+    return { id: this.id, title: "Beacon of a hot spot", summary, body: () => beaconTemplate(model(), this) };
   }
 
   page(): PanelPage {
@@ -120,7 +121,7 @@ export class BeaconFeature implements Feature {
   }
 
   report() {
-    const spot = this.#spot();
+    const spot = this.#on ? this.#spot() : null;
     return { beacon: this.#on && this.#now ? { node: spot?.spot.node ?? null, ...this.#now } : null };
   }
 }

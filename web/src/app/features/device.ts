@@ -131,7 +131,14 @@ export class Device implements Feature {
         end();
         const sorted = times.slice(1).sort((a, b) => a - b);
         const at = (share: number) => (sorted[Math.floor(share * (sorted.length - 1))] ?? 0).toFixed(1);
-        resolve([["frames", `half within ${at(0.5)} ms, 95 % within ${at(0.95)} ms, of ${FRAMES}`]]);
+        const { level, levels, budgetMs, resolution, edges } = this.#app.stage.quality.report();
+        const lines = edges ? "with edges" : "without edges";
+        const picture = `level ${level} of ${levels - 1}: ${Math.round(100 * resolution)} % of the pixels along each side, ${lines}`;
+        const governed = `${picture}; wanted: ${budgetMs.toFixed(1)} ms a frame; finest at rest; values are the same at every level`;
+        resolve([
+          ["frames", `half within ${at(0.5)} ms, 95 % within ${at(0.95)} ms, of ${FRAMES}`],
+          ["picture while it moves", governed],
+        ]);
       });
     });
   }
@@ -142,6 +149,6 @@ export class Device implements Feature {
   }
 
   report() {
-    return { device: this.#text || null };
+    return { device: this.#text || null, governor: this.#app.stage.quality.report() };
   }
 }

@@ -8,6 +8,7 @@ export function watchPage() {
     textureBytes: 0,
     calls: 0,
     largestDraw: 0,
+    sizes: [],
     firstModelPicture: null,
     frames: [],
     stalls: [],
@@ -30,10 +31,12 @@ export function watchPage() {
   wrap("bufferData", (given) => {
     const bytes = typeof given[1] === "number" ? given[1] : sizeOf(given);
     watched.bufferBytes += bytes;
+    watched.sizes.push(bytes);
     if (bound.get(given[0])) live.set(bound.get(given[0]), bytes);
   });
   wrap("bufferSubData", (given) => {
     watched.bufferBytes += sizeOf(given);
+    watched.sizes.push(sizeOf(given));
   });
   for (const name of ["texImage2D", "texSubImage2D", "texSubImage3D"])
     wrap(name, (given) => {
