@@ -174,14 +174,28 @@ async function measureSteps(page, client, count) {
   const times = [];
   for (let i = 0; i < count; ++i) {
     const { step } = await page.evaluate(state);
+    await page.evaluate(() => {
+      globalThis.watched.bufferBytes = 0;
+    });
     const start = Date.now();
     await page.locator(".stepbar").getByLabel("next step").click();
     await until(page, state, (s) => s.step !== step);
+    await until(
+      page,
+      () => globalThis.watched.bufferBytes,
+      (sent) => sent > 0,
+    );
     times.push(Date.now() - start);
   }
   await page.waitForTimeout(1000);
   const most = await stop();
-  return { one, stepsTaken: count + 1, memoryMB: await memories(page, client, most) };
+  times.sort((a, b) => a - b);
+  return {
+    one,
+    stepsTaken: count + 1,
+    medianMs: times[times.length >> 1],
+    memoryMB: await memories(page, client, most),
+  };
 }
 
 /** The pointer goes over the model: how long the page takes to answer each move, and its longest stall. */

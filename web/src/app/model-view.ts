@@ -18,6 +18,8 @@ import type { Store } from "./store";
 
 /** Maps whose neighbours differ in lightness alone: shade would be read as another value, so they get half of it. */
 const TOLD_BY_LIGHTNESS: ReadonlySet<string> = new Set(["cividis", "cool_warm"]);
+/** A step that is left again so soon, while another is still on its way, is not read. */
+const PASSED_BY_MS = 120;
 const scratch = new Vector3();
 
 /** A result of the presentation with its values and range at the step that is shown. */
@@ -39,6 +41,8 @@ export class ModelView {
   #largestDisplacement = 0;
   #loadedStep = Number.NaN;
   #turn = 0;
+  /** Refreshes that are waiting for their results. */
+  #loading = 0;
   #imaginary: readonly (Float32Array | null)[] | null = null;
   /** What the card has as values. */
   #coloured: { fields: Fields | null; component: number } = { fields: null, component: -1 };
@@ -151,6 +155,11 @@ export class ModelView {
   async refresh(): Promise<void> {
     this.#turn += 1;
     const turn = this.#turn;
+    if (this.#loading > 0) {
+      // Somebody runs through the steps: what is passed by is not read.
+      await new Promise((later) => setTimeout(later, PASSED_BY_MS));
+      if (turn !== this.#turn) return;
+    }
     const { doc, step } = this.#store.state;
     const presented = presentedOf(doc, this.scene.extras);
     const shape = this.#shapeResult();
@@ -164,6 +173,7 @@ export class ModelView {
     const problems: string[] = [];
     const loaded = new Map<SceneResult, Fields>();
     const nothing: Fields = this.scene.parts.map(() => null);
+    this.#loading += 1;
     await Promise.all(
       [...wanted].map(async (result) => {
         try {
@@ -177,6 +187,7 @@ export class ModelView {
         }
       }),
     );
+    this.#loading -= 1;
     if (turn !== this.#turn) return;
     this.#shown = presented.map((p) => {
       const fields = (p.result && loaded.get(p.result)) ?? nothing;

@@ -22,36 +22,55 @@ function normalOf(part: ScenePart, triangle: number, out: Float64Array): void {
   out[2] = z / length;
 }
 
-/** Pairs of vertices; edges to the made-up middle of a quad are none. */
-export function featureEdges(part: ScenePart): Uint32Array {
+/** Edges of triangles by the smaller of their nodes: an edge is three times its triangle plus its corner. */
+function edgesByNode(part: ScenePart) {
   const { numbers, count } = nodeNumbers(part);
-  /** Edge by its two node numbers -> first triangle, or -1 once it is settled. */
-  const first = new Map<number, number>();
-  const place = new Map<number, readonly [number, number]>();
+  const { indices } = part;
+  const endOf = (i: number) => numbers[indices[i % 3 === 2 ? i - 2 : i + 1] ?? 0] ?? 0;
+  const startOf = (i: number) => numbers[indices[i] ?? 0] ?? 0;
+  const first = new Uint32Array(count + 1);
+  // Edges to the made-up middle of a quad are none.
+  const isEdge = (i: number) => startOf(i) !== 0 && endOf(i) !== 0;
+  for (let i = 0; i < indices.length; ++i) if (isEdge(i)) first[Math.min(startOf(i), endOf(i)) + 1]! += 1;
+  for (let n = 0; n < count; ++n) first[n + 1]! += first[n] ?? 0;
+  const edges = new Uint32Array(first[count] ?? 0);
+  const next = first.slice();
+  for (let i = 0; i < indices.length; ++i) {
+    if (!isEdge(i)) continue;
+    const n = Math.min(startOf(i), endOf(i));
+    edges[next[n] ?? 0] = i;
+    next[n]! += 1;
+  }
+  return { first, edges, count, farOf: (i: number) => Math.max(startOf(i), endOf(i)) };
+}
+
+/** Pairs of vertices: edges of one triangle, and those where two meet sharply. */
+export function featureEdges(part: ScenePart): Uint32Array {
+  const { first, edges, count, farOf } = edgesByNode(part);
+  const { indices } = part;
   const [one, two] = [new Float64Array(3), new Float64Array(3)];
   const kept: number[] = [];
-  for (let t = 0; 3 * t < part.indices.length; ++t) {
-    for (let k = 0; k < 3; ++k) {
-      const a = part.indices[3 * t + k] ?? 0;
-      const b = part.indices[3 * t + ((k + 1) % 3)] ?? 0;
-      const [na, nb] = [numbers[a] ?? 0, numbers[b] ?? 0];
-      if (na === 0 || nb === 0) continue;
-      const key = Math.min(na, nb) * count + Math.max(na, nb);
-      const before = first.get(key);
+  const keep = (i: number) => kept.push(indices[i] ?? 0, indices[i % 3 === 2 ? i - 2 : i + 1] ?? 0);
+  /** Of the node at hand: the other end -> the edge that waits for its second triangle. */
+  const waiting = new Map<number, number>();
+  for (let n = 0; n < count; ++n) {
+    waiting.clear();
+    for (let k = first[n] ?? 0; k < (first[n + 1] ?? 0); ++k) {
+      const edge = edges[k] ?? 0;
+      const far = farOf(edge);
+      const before = waiting.get(far);
       if (before === undefined) {
-        first.set(key, t);
-        place.set(key, [a, b]);
-      } else {
-        first.delete(key);
-        place.delete(key);
-        normalOf(part, before, one);
-        normalOf(part, t, two);
-        const cosine =
-          (one[0] ?? 0) * (two[0] ?? 0) + (one[1] ?? 0) * (two[1] ?? 0) + (one[2] ?? 0) * (two[2] ?? 0);
-        if (cosine < SHARP_COSINE) kept.push(a, b);
+        waiting.set(far, edge);
+        continue;
       }
+      waiting.delete(far);
+      normalOf(part, Math.floor(before / 3), one);
+      normalOf(part, Math.floor(edge / 3), two);
+      const cosine =
+        (one[0] ?? 0) * (two[0] ?? 0) + (one[1] ?? 0) * (two[1] ?? 0) + (one[2] ?? 0) * (two[2] ?? 0);
+      if (cosine < SHARP_COSINE) keep(edge);
     }
+    for (const edge of waiting.values()) keep(edge);
   }
-  for (const [a, b] of place.values()) kept.push(a, b);
   return Uint32Array.from(kept);
 }

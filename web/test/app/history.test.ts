@@ -75,3 +75,19 @@ test("kept_results_stay_within_their_room_and_the_oldest_goes_first", async () =
   expect(reads).toEqual(["a", "b", "c", "b"]);
   expect(cache.bytes).toBeLessThanOrEqual(1200);
 });
+
+test("side_file_that_parts_share_counts_once_and_what_stays_anyway_counts_nothing", async () => {
+  const file = new ArrayBuffer(800);
+  const own = new ArrayBuffer(800);
+  const part = (buffer: ArrayBuffer, at: number) => ({
+    components: 1,
+    values: new Float32Array(buffer, at, 100),
+    state: new Uint8Array(own),
+  });
+  const cache = new FieldCache(10_000, (buffer) => buffer !== own);
+
+  await cache.get("a", () => Promise.resolve([part(file, 0), part(file, 400)]));
+  await cache.get("b", () => Promise.resolve([part(own, 0), part(own, 400)]));
+
+  expect(cache.bytes).toBe(800);
+});
