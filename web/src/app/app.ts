@@ -10,6 +10,7 @@ import { attachDeskPointer } from "./desk-pointer";
 import type { Feature } from "./features/feature";
 import type { Links } from "./features/links";
 import { makeFeatures } from "./features/list";
+import type { Walking } from "./features/walking";
 import { firstState } from "./first-state";
 import { keyCommands } from "./keys";
 import { makeActions } from "./make-actions";
@@ -17,6 +18,7 @@ import { ModelView } from "./model-view";
 import { Overlay } from "./overlay";
 import type { Page } from "./page";
 import { PageView } from "./page-view";
+import { placeChoices } from "./place-menu";
 import { Player } from "./player";
 import { PIN, Probing } from "./probing";
 import { Senses } from "./senses";
@@ -54,6 +56,7 @@ export class App implements ApiSource {
   readonly #removals: (() => void)[] = [];
   readonly #options: AppOptions;
   #stale = true;
+  #pressed = false;
 
   constructor(page: Page, scene: SceneData, options: AppOptions) {
     this.#page = page;
@@ -72,8 +75,13 @@ export class App implements ApiSource {
     this.actions = makeActions(this, this.player);
     this.features = makeFeatures(this);
     this.keys = [
-      ...keyCommands(this.actions, (on) => this.hold(on)),
-      ...this.features.flatMap((f) => f.commands?.() ?? []),
+      ...this.feature<Walking>("walking").commands(),
+      ...keyCommands(
+        this.actions,
+        (on) => this.hold(on),
+        () => this.#pressed,
+      ),
+      ...this.features.filter((f) => f.id !== "walking").flatMap((f) => f.commands?.() ?? []),
     ];
     this.#removals.push(
       attachKeyboard(this.keys),
@@ -215,6 +223,23 @@ export class App implements ApiSource {
     if (on && pointer) this.probing.hold(pointer.name, pointer.kind, true);
     else this.probing.releaseAll();
     this.invalidate();
+  }
+
+  /** The model was pressed: until Esc, or until another control is, Tab goes through the results. */
+  setPressed(on: boolean): void {
+    this.#pressed = on;
+    if (on) this.closePlaceMenu();
+  }
+
+  /** What is to be done at a place; canvas pixels. */
+  showPlaceMenu(place: Place, at: { x: number; y: number }): void {
+    const node = this.probing.report()?.nodeId;
+    const close = () => this.closePlaceMenu();
+    this.#page.renderPlaceMenu(node ? `node ${node}` : "here", placeChoices(this, place, close), at);
+  }
+
+  closePlaceMenu(): void {
+    this.#page.renderPlaceMenu("", [], null);
   }
 
   /** The pointer is on the opened inside of the model, of which a skin knows no values; canvas pixels. */

@@ -3,7 +3,12 @@
 import type { KeyCommand } from "../input/keyboard";
 import type { Actions } from "../ui";
 
-export function keyCommands(actions: Actions, hold: (on: boolean) => void): KeyCommand[] {
+/** `pressed`: the model was pressed last, not a control of the page; Tab is then free for results. */
+export function keyCommands(
+  actions: Actions,
+  hold: (on: boolean) => void,
+  pressed: () => boolean,
+): KeyCommand[] {
   const focusSearch = () => document.querySelector<HTMLInputElement>(".goto input")?.focus();
   return [
     { keys: ["s"], shown: "S", text: "hold: hear and feel", down: () => hold(true), up: () => hold(false) },
@@ -14,6 +19,13 @@ export function keyCommands(actions: Actions, hold: (on: boolean) => void): KeyC
     { keys: ["1"], shown: "1", text: "true scale", down: () => actions.setDeform("true") },
     { keys: ["0"], shown: "0", text: "undeformed", down: () => actions.setDeform("off") },
     { keys: ["5"], shown: "5", text: "deformation 5 %", down: () => actions.setDeform("auto") },
+    {
+      keys: ["Tab"],
+      shown: "Tab",
+      text: "next result is seen, after a press on the model; Esc gives Tab back to the page",
+      when: (event) => pressed() && !event.shiftKey,
+      down: () => actions.nextResult(),
+    },
     { keys: ["x"], shown: "X", text: "largest and smallest value", down: () => actions.toggle("extremes") },
     { keys: ["e"], shown: "E", text: "element edges", down: () => actions.toggle("edges") },
     { keys: ["l"], shown: "L", text: "shading", down: () => actions.toggle("shading") },

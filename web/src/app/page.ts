@@ -15,7 +15,9 @@ import {
   legendTemplate,
   type Marker,
   markersTemplate,
+  type PlaceChoice,
   paintLegend,
+  placeMenuTemplate,
   resultTableTemplate,
   type Section,
   type StepBarModel,
@@ -60,6 +62,7 @@ export class Page {
   readonly #handles: HTMLElement;
   readonly #inside: HTMLElement;
   readonly #toast: HTMLElement;
+  readonly #placeMenu: HTMLElement;
   #toastTimer = 0;
   readonly #said: HTMLElement;
   #sayTimer = 0;
@@ -84,6 +87,8 @@ export class Page {
     this.#inside.hidden = true;
     this.#toast = child("toast", overlay);
     this.#toast.hidden = true;
+    this.#placeMenu = child("place-menu", overlay);
+    this.#placeMenu.hidden = true;
     this.#said = child("said", host);
     this.#said.setAttribute("role", "status");
     this.#said.setAttribute("aria-live", "polite");
@@ -180,6 +185,18 @@ export class Page {
     const x = Math.min(at.x + 18, Math.max(4, this.stageHost.clientWidth - this.#inside.offsetWidth - 4));
     this.#inside.style.transform = `translate(${Math.round(x)}px, ${Math.round(at.y + 14)}px)`;
     this.say(text);
+  }
+
+  /** What can be done at a place of the stage, beside it; null: nothing is asked. */
+  renderPlaceMenu(title: string, choices: readonly PlaceChoice[], at: { x: number; y: number } | null): void {
+    this.#placeMenu.hidden = !at;
+    if (!at) return;
+    render(placeMenuTemplate(title, choices), this.#placeMenu);
+    const { clientWidth, clientHeight } = this.stageHost;
+    const { offsetWidth, offsetHeight } = this.#placeMenu;
+    const x = Math.min(Math.max(4, at.x + 28), Math.max(4, clientWidth - offsetWidth - 4));
+    const y = Math.min(Math.max(4, at.y - offsetHeight / 2), Math.max(4, clientHeight - offsetHeight - 4));
+    this.#placeMenu.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
   /** A word that goes away by itself. */

@@ -7,6 +7,8 @@ export interface KeyCommand {
   readonly shown: string;
   readonly down: (key: string) => void;
   readonly up?: () => void;
+  /** Whether the key means this now; without it: always. The first that does counts. */
+  readonly when?: (event: KeyboardEvent) => boolean;
 }
 
 const TYPING = "input:not([type=range]):not([type=checkbox]), select, textarea";
@@ -14,8 +16,10 @@ const TYPING = "input:not([type=range]):not([type=checkbox]), select, textarea";
 /** Keys typed into a field stay there. Returns its own removal. */
 export function attachKeyboard(commands: readonly KeyCommand[]): () => void {
   const held = new Map<string, KeyCommand>();
-  const find = (key: string) =>
-    commands.find((c) => c.keys.includes(key.length === 1 ? key.toLowerCase() : key));
+  const find = (key: string, event: KeyboardEvent) =>
+    commands.find(
+      (c) => c.keys.includes(key.length === 1 ? key.toLowerCase() : key) && (c.when?.(event) ?? true),
+    );
   const chord = (event: KeyboardEvent) => `ctrl+${event.shiftKey ? "shift+" : ""}${event.key.toLowerCase()}`;
   const down = (event: KeyboardEvent) => {
     if (event.altKey) return;
@@ -25,7 +29,9 @@ export function attachKeyboard(commands: readonly KeyCommand[]): () => void {
     if (event.key.startsWith("Arrow") && target?.matches("input, summary")) return;
     if (event.key === " " && target?.closest("button, summary, [role=button]")) return;
     const withControl = event.ctrlKey || event.metaKey;
-    const command = withControl ? commands.find((c) => c.keys.includes(chord(event))) : find(event.key);
+    const command = withControl
+      ? commands.find((c) => c.keys.includes(chord(event)))
+      : find(event.key, event);
     if (!command || target?.closest("dialog")) return;
     event.preventDefault();
     if (event.repeat && command.up) return;

@@ -15,9 +15,17 @@ export interface MouseHost {
   zoom(scale: number, x: number, y: number): void;
   /** Pressed twice on the model. */
   keep(): void;
+  /** The canvas was pressed. */
+  pressed(): void;
+  /** A finger rests on the model. */
+  rests(x: number, y: number): void;
 }
 
 type Drag = "probe" | "turn" | "pan" | "pinch" | null;
+
+/** A finger that stays so long within so many pixels rests. */
+const REST_MS = 600;
+const REST_PIXELS = 10;
 
 /** Returns its own removal. */
 export function attachMouse(host: MouseHost): () => void {
@@ -26,6 +34,11 @@ export function attachMouse(host: MouseHost): () => void {
   let drag: Drag = null;
   let last = { x: 0, y: 0 };
   let spread = 0;
+  let resting: { timer: number; x: number; y: number } | null = null;
+  const wake = () => {
+    clearTimeout(resting?.timer);
+    resting = null;
+  };
 
   const at = (event: PointerEvent | WheelEvent) => {
     const box = canvas.getBoundingClientRect();
@@ -34,6 +47,7 @@ export function attachMouse(host: MouseHost): () => void {
   const kindOf = (event: PointerEvent): PointerKind =>
     event.pointerType === "touch" || event.pointerType === "pen" ? event.pointerType : "mouse";
   const stop = () => {
+    wake();
     if (drag === "probe") host.hold(false);
     drag = null;
   };
@@ -45,6 +59,7 @@ export function attachMouse(host: MouseHost): () => void {
 
   const down = (event: PointerEvent) => {
     canvas.focus({ preventScroll: true });
+    host.pressed();
     const point = at(event);
     canvas.setPointerCapture(event.pointerId);
     if (event.pointerType === "touch") fingers.set(event.pointerId, point);
@@ -65,12 +80,17 @@ export function attachMouse(host: MouseHost): () => void {
       drag = "probe";
       host.hover(point.x, point.y, kindOf(event));
       host.hold(true);
+      if (event.pointerType === "touch") {
+        const timer = window.setTimeout(() => host.rests(point.x, point.y), REST_MS);
+        resting = { timer, ...point };
+      }
     }
     if (event.button === 1) event.preventDefault();
   };
   const move = (event: PointerEvent) => {
     const point = at(event);
     if (fingers.has(event.pointerId)) fingers.set(event.pointerId, point);
+    if (resting && Math.hypot(point.x - resting.x, point.y - resting.y) > REST_PIXELS) wake();
     if (drag === "pinch") {
       const two = pinch();
       if (!two) return;

@@ -48,6 +48,15 @@ export class Orbit {
     this.apply();
   }
 
+  /** Metres to the right and ahead, level with the floor. */
+  walk(right: number, ahead: number): void {
+    this.#fitted = null;
+    const [sin, cos] = [Math.sin(this.yaw), Math.cos(this.yaw)];
+    this.target.x += right * cos - ahead * sin;
+    this.target.z += -right * sin - ahead * cos;
+    this.apply();
+  }
+
   /** `at` keeps its place on the screen; null: the target does. */
   zoom(scale: number, at: Vector3 | null): void {
     this.#fitted = null;

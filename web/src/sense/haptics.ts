@@ -214,3 +214,13 @@ export function actuatorOf(gamepad: Gamepad | null | undefined): Actuator | null
       ),
   };
 }
+
+/** Phones and tablets with Android shake as a whole; other browsers that know the call have nothing to shake. */
+export function actuatorOfDevice(
+  device: Pick<Navigator, "userAgent" | "vibrate" | "userActivation">,
+): Actuator | null {
+  if (!/Android/.test(device.userAgent) || typeof device.vibrate !== "function") return null;
+  // Before the first tap it would be refused, and nothing would stand in.
+  if (device.userActivation && !device.userActivation.hasBeenActive) return null;
+  return { pulse: (_strength, milliseconds) => void device.vibrate(milliseconds) };
+}

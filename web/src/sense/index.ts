@@ -8,6 +8,7 @@ export { guideRate, rankOf } from "./guidance";
 export {
   type Actuator,
   actuatorOf,
+  actuatorOfDevice,
   createHaptics,
   type HapticEvent,
   type HapticFrame,

@@ -60,9 +60,29 @@ export async function launch() {
   return chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args: CHROMIUM_ARGUMENTS });
 }
 
-/** `url` of the page; asks for nothing else are recorded in `foreign`. */
+/** A phone with Android: fingers, and a motor whose pulses are remembered. */
+export const PHONE = {
+  device: {
+    hasTouch: true,
+    userAgent:
+      "Mozilla/5.0 (Linux; Android 15; Pixel 9) AppleWebKit/537.36 Chrome/156.0.0.0 Mobile Safari/537.36",
+  },
+  before: () => {
+    globalThis.shaken = [];
+    Object.defineProperty(Navigator.prototype, "vibrate", {
+      configurable: true,
+      value: (ms) => {
+        globalThis.shaken.push({ ms, time: performance.now() });
+        return true;
+      },
+    });
+  },
+};
+
+/** `url` of the page; asks for nothing else are recorded in `foreign`. `device`: of the browser's context; `before`
+ * runs in the page before its own scripts. */
 export async function openPage(browser, url, options = {}) {
-  const { width = 900, height = 620, headset = false, dark = false, offline = false } = options;
+  const { width = 900, height = 620, headset = false, dark = false, offline = false, device = {} } = options;
   // Pictures that are compared must not depend on how quick this machine is.
   const { smooth = false, governed = false, before = null } = options;
   const context = await browser.newContext({
@@ -70,6 +90,7 @@ export async function openPage(browser, url, options = {}) {
     ignoreHTTPSErrors: true,
     offline,
     colorScheme: dark ? "dark" : "light",
+    ...device,
   });
   context.setDefaultTimeout(40000);
   const origin = new URL(url).origin;

@@ -23,6 +23,7 @@ import { timeTests } from "./time.mjs";
 import { touchTests } from "./touch.mjs";
 import { variantTests } from "./variants.mjs";
 import { vrTests } from "./vr.mjs";
+import { vrComfortTests } from "./vr-comfort.mjs";
 import { vrPinchTests } from "./vr-pinches.mjs";
 import { vrRowTests } from "./vr-rows.mjs";
 import { vrTouchTests } from "./vr-touch.mjs";
@@ -69,6 +70,7 @@ for (const { name, run, skip } of [
   ...accessTests,
   ...vrTests,
   ...vrRowTests,
+  ...vrComfortTests,
   ...vrPinchTests,
   ...vrTouchTests,
   ...touchTests,

@@ -5,6 +5,7 @@ import { defaultPulses, pulseOf } from "../../src/present";
 import {
   type Actuator,
   actuatorOf,
+  actuatorOfDevice,
   createHaptics,
   type HapticEvent,
   type HapticFrame,
@@ -255,4 +256,22 @@ test("actuators are probed in order: pulse, then playEffect, then none", () => {
   expect(actuatorOf(gamepad({ vibrationActuator: null }))).toBeNull();
   expect(actuatorOf(gamepad({}))).toBeNull();
   expect(actuatorOf(undefined)).toBeNull();
+});
+
+test("a phone with Android shakes as a whole, once it was tapped; others do not", () => {
+  const sent: unknown[] = [];
+  const device = (userAgent: string, hasBeenActive = true) => ({
+    userAgent,
+    userActivation: { hasBeenActive, isActive: false },
+    vibrate: (ms: unknown) => {
+      sent.push(ms);
+      return true;
+    },
+  });
+
+  actuatorOfDevice(device("Mozilla/5.0 (Linux; Android 15)"))?.pulse(0.5, 35);
+
+  expect(sent).toEqual([35]);
+  expect(actuatorOfDevice(device("Mozilla/5.0 (Linux; Android 15)", false))).toBeNull();
+  expect(actuatorOfDevice(device("Mozilla/5.0 (X11; Linux x86_64)"))).toBeNull();
 });

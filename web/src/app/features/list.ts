@@ -20,6 +20,7 @@ import { Path } from "./path";
 import { Save } from "./save";
 import { Sweep } from "./sweep";
 import { Variants } from "./variants";
+import { Walking } from "./walking";
 
 export function makeFeatures(app: App): readonly Feature[] {
   return [
@@ -38,6 +39,7 @@ export function makeFeatures(app: App): readonly Feature[] {
     new Notes(app),
     new Save(app),
     new Connect(),
+    new Walking(app),
     new Device(app),
     new Links(app),
     new Palette(app),
