@@ -23,7 +23,7 @@ PUBLIC_HEADER_OWNER = {
     "error": "base", "diagnostics": "base",
     "ids": "model", "element_type": "model", "mesh": "model", "result": "model", "model": "model", "surface": "model",
     "read": "read", "derive": "derive", "skin": "skin", "inside": "inside", "pick": "pick", "write": "write", "present": "present",
-    "scene": "scene", "convert": "convert", "probe": "convert",
+    "scene": "scene", "convert": "convert", "probe": "convert", "interior": "convert",
 }
 ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli",
            "vtk": ("apps/exchange", "bench/peers"), "hdf5.h": "apps/exchange", "netcdf.h": "apps/exchange"}

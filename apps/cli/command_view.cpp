@@ -90,6 +90,7 @@ int run_view(const Options& options) {
     pthread_sigmask(SIG_BLOCK, &ending, nullptr);
     std::signal(SIGPIPE, SIG_IGN);  // A browser that goes away is no reason to end.
     server::ServeOptions serving{scene.path(), options.port, options.port_given, options.lan};
+    if (scene.is_made()) serving.model = options.job;
     serving.certificate_file = options.certificate_file;
     serving.key_file = options.key_file;
     server::PageServer server(serving);

@@ -174,6 +174,12 @@ void Connection::interrupt() {
     shutdown(socket_, SHUT_RDWR);
 }
 
+bool Connection::is_gone() const {
+    if (is_interrupted_) return true;
+    pollfd asked{socket_, POLLRDHUP, 0};
+    return poll(&asked, 1, 0) > 0 && (asked.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
+}
+
 void Connection::finish() {
     if (is_interrupted_) return;
     if (tls_ && !is_broken_) {

@@ -36,6 +36,8 @@ public:
     void begin_answer();
     /// Any thread: whoever waits here wakes up and finds it closed.
     void interrupt();
+    /// Whether the other side has closed: nobody waits for an answer.
+    bool is_gone() const;
     /// Says goodbye so that the last answer arrives even when the other side is still sending.
     void finish();
 

@@ -103,6 +103,7 @@ struct PageServer::State {
     int port = 0;
     std::unique_ptr<Guard> guard;
     std::unique_ptr<FrontDoor> door;
+    std::unique_ptr<InsideQuestions> inside;  ///< Null: the scene is all there is.
     RateLimit requests{kRequestsAtOnce, kRequestsASecond};
     RateLimit refusals{kRefusalsAtOnce, kRefusalsASecond};
 
@@ -110,7 +111,9 @@ struct PageServer::State {
     std::vector<std::string> links() const;
     void collect_assets();
     FrontDoor::Outcome serve(Connection& connection, const RequestHead& head);
-    void answer(const Exchange& exchange, const Guard::Verdict& verdict, int refused);
+    void answer(
+        const Exchange& exchange, const Guard::Verdict& verdict, int refused, const Connection& connection
+    );
 };
 
 std::vector<std::string> PageServer::State::links() const {
@@ -130,6 +133,10 @@ void PageServer::State::collect_assets() {
     for (const PageAsset& asset : page_assets()) {
         assets[std::string(asset.path)] = {
             std::string(asset.path), asset.gzip, sha256_hex(asset.gzip), nullptr};
+    }
+    if (inside) {
+        Asset& index = assets["/index.html"];
+        index = packed_asset("/index.html", with_inside_hint(unpack(index.gzip)));
     }
     if (token.empty()) return;
     const ConnectFacts facts{
@@ -157,7 +164,7 @@ FrontDoor::Outcome PageServer::State::serve(Connection& connection, const Reques
         // The library's own object, not a constant.
         const Exchange exchange{head, const_cast<httplib::Request&>(request), response, !token.empty()};
         try {
-            answer(exchange, verdict, is_too_often ? 429 : verdict.status);
+            answer(exchange, verdict, is_too_often ? 429 : verdict.status, connection);
         } catch (const std::exception&) {
             response = {};
             answer_text(response, 500, "something went wrong here\n");
@@ -180,7 +187,9 @@ FrontDoor::Outcome PageServer::State::serve(Connection& connection, const Reques
     return {is_sent && !close, verdict.status == 0};
 }
 
-void PageServer::State::answer(const Exchange& exchange, const Guard::Verdict& verdict, int refused) {
+void PageServer::State::answer(
+    const Exchange& exchange, const Guard::Verdict& verdict, int refused, const Connection& connection
+) {
     httplib::Response& response = exchange.response;
     add_common_headers(response);
     if (refused == 405) response.set_header("Allow", "GET, HEAD");
@@ -201,6 +210,11 @@ void PageServer::State::answer(const Exchange& exchange, const Guard::Verdict& v
         return answer_asset(exchange, asset->second);
     }
     if (const auto file = folder.find(path)) return answer_file(exchange, file);
+    if (path.starts_with("/inside/")) {
+        if (inside)
+            return inside->answer(exchange, connection.address(), [&] { return connection.is_gone(); });
+        return answer_text(response, 404, "this scene has no volume elements: open the model file\n");
+    }
     answer_text(response, 404, "there is no such file\n");
 }
 
@@ -228,6 +242,7 @@ PageServer::PageServer(const ServeOptions& options) : state_(std::make_unique<St
     );
     state_->guard =
         std::make_unique<Guard>(host_names(state_->lan, state_->certificate), state_->port, state_->token);
+    if (options.model) state_->inside = std::make_unique<InsideQuestions>(*options.model, options.inside);
     state_->collect_assets();
 }
 

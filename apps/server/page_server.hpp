@@ -4,8 +4,10 @@
 #pragma once
 
 #include "front_door.hpp"
+#include "inside_questions.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +22,14 @@ struct ServeOptions {
     std::string certificate_file{}, key_file{};  ///< Empty: a certificate of our own.
     std::string certificate_folder{};            ///< Where ours is kept; empty: the user's data folder.
     DoorLimits limits{};
+    std::optional<Job> model{};  ///< That the scene was made of: questions to its inside are answered.
+    InsideLimits inside{};
 };
 
 /// Answers from start() to stop(): only requests for our own names, only GET and HEAD, only what the page and
-/// the scene consist of. For the local network every path begins with a random token, and without it there is
-/// not a byte of the model, its name or its numbers; plain connections are taken from this machine alone.
+/// the scene consist of, and questions to the inside of a model that was opened. For the local network every
+/// path begins with a random token, and without it there is not a byte of the model, its name or its numbers;
+/// plain connections are taken from this machine alone.
 class PageServer {
 public:
     /// Throws Error(FileNotFound) for the scene, Error(BadOption) when no port is free, and what

@@ -28,7 +28,8 @@ struct Solids {
 };
 Solids find_solids(const Mesh& mesh);
 /// The same solids where a displacement (nodal, components x y z in the global system) times `scale` brings
-/// them. Nodes without a displacement have no place then. Throws Error(BadOption) for another kind of result.
+/// them. Nodes without a displacement stay, as they are drawn. Throws Error(BadOption) for another kind of
+/// result.
 Solids moved_by(const Solids& solids, const Result& displacement, double scale);
 
 /// One component of a result, which is as it is shown: averaged, in the global system. Must outlive this.

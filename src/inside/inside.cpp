@@ -46,9 +46,10 @@ Solids moved_by(const Solids& solids, const Result& displacement, double scale) 
     moved.moved = mesh.coordinates;
     parallel_chunks(moved.moved.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
+            const auto by = std::span(displacement.values).subspan(i * names.size(), 3);
+            if (std::ranges::any_of(by, [](float v) { return std::isnan(v); })) continue;
             for (std::size_t axis = 0; axis < 3; ++axis)
-                moved.moved[i][axis] +=
-                    scale * static_cast<double>(displacement.values[i * names.size() + axis]);
+                moved.moved[i][axis] += scale * static_cast<double>(by[axis]);
         }
     });
     return moved;

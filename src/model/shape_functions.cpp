@@ -202,12 +202,12 @@ T pyramid13(const ElementRow& row, std::size_t node, const Place<T>& at) {
 }
 
 template <class T>
-using Shape = T (*)(const ElementRow&, std::size_t, const Place<T>&);
+using ShapeFunction = T (*)(const ElementRow&, std::size_t, const Place<T>&);
 struct ShapeRow {
     ElementType type;
     ElementType without_inner;  ///< The kind that has no nodes but those of corners and edges.
-    Shape<double> weight;
-    Shape<Sloped> sloped;
+    ShapeFunction<double> weight;
+    ShapeFunction<Sloped> sloped;
 };
 #define FEELEM_SHAPE(function) function<double>, function<Sloped>
 constexpr std::array<ShapeRow, kElementTypeCount> kShapes{

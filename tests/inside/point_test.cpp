@@ -129,6 +129,18 @@ TEST(InteriorPoint, of_a_curved_element_lies_where_the_curve_is) {
     EXPECT_FALSE(finder.find({2.1 * std::cos(0.785), 2.1 * std::sin(0.785), 0.5}));
 }
 
+/// Edges that bulge out of the box of the nodes: their highest places lie between these.
+TEST(InteriorPoint, of_an_element_may_lie_beyond_the_box_of_its_nodes) {
+    Mesh mesh = test::one_element(ElementType::Hex20);
+    for (const EdgeRow& edge : edges_of(ElementType::Hex20)) {
+        if (mesh.coordinates[edge.middle][2] == 1) mesh.coordinates[edge.middle][2] = 1.2;
+    }
+    const Solids solids = find_solids(mesh);
+    const InteriorFinder finder(solids);
+    EXPECT_TRUE(finder.find({0.5, 0.5, 1.35}));
+    EXPECT_FALSE(finder.find({0.5, 0.5, 1.45}));
+}
+
 TEST(InteriorPoint, of_a_mesh_without_solids_is_not_found) {
     const Mesh mesh = test::one_element(ElementType::Tri3);
     const Solids solids = find_solids(mesh);

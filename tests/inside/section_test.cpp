@@ -274,8 +274,16 @@ TEST(Section, of_a_deformed_shape_lies_where_the_displacements_bring_it) {
     EXPECT_EQ(moved.values, direct.values);
     EXPECT_NE(moved.positions, cut(mesh, result, plane).positions);
     displacement.values[0] = kNan;
-    EXPECT_EQ(cut_plane(moved_by(solids, displacement, 3), {&result, 0}, plane)->elements_without_place, 1U);
+    EXPECT_EQ(moved_by(solids, displacement, 3).places()[0], mesh.coordinates[0]);
     EXPECT_THROW(moved_by(solids, result, 1), Error);
+}
+
+TEST(Section, leaves_out_elements_whose_corners_have_no_place_and_says_how_many) {
+    Mesh mesh = test::brick_grid(2, 1, 1);
+    mesh.coordinates[0][1] = std::numeric_limits<double>::quiet_NaN();
+    const Section section = cut(mesh, test::nodal(std::vector<float>(12, 1)), {{0, 0, 1}, 0.5});
+    EXPECT_EQ(section.elements_without_place, 1U);
+    EXPECT_NEAR(section.area, 1, 1e-12);
 }
 
 TEST(Section, leaves_out_elements_listed_twice) {
