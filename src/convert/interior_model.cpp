@@ -17,10 +17,6 @@
 #include <utility>
 
 namespace feelem {
-namespace {
-
-constexpr std::size_t kMostShapes = 2;
-constexpr std::size_t kAllComponents = static_cast<std::size_t>(-1);
 
 /// A file as it was: a mapped file that is written anew would end the program when it is read.
 struct FileStamp {
@@ -36,6 +32,23 @@ struct FileStamp {
     }
     bool operator==(const FileStamp&) const = default;
 };
+
+/// Solids as they are or moved, and the way to an element; made when it is first needed.
+struct ShownShape {
+    std::string name;
+    Solids solids;
+    std::unique_ptr<InteriorFinder> finder;
+};
+
+struct KeptResult {
+    std::string name;
+    std::shared_ptr<const Result> result;
+};
+
+namespace {
+
+constexpr std::size_t kMostShapes = 2;
+constexpr std::size_t kAllComponents = static_cast<std::size_t>(-1);
 
 std::vector<FileStamp> stamps_of(const Job& job) {
     std::vector<FileStamp> stamps;
@@ -57,18 +70,6 @@ std::size_t bytes_of(const Result& result) {
            result.row_node.size() * sizeof(NodeIndex);
 }
 
-/// Solids as they are or moved, and the way to an element; made when it is first needed.
-struct ShownShape {
-    std::string name;
-    Solids solids;
-    std::unique_ptr<InteriorFinder> finder;
-};
-
-struct KeptResult {
-    std::string name;
-    std::shared_ptr<const Result> result;
-};
-
 }  // namespace
 
 struct InteriorModel::State {
@@ -85,7 +86,7 @@ struct InteriorModel::State {
     ScenePlan plan;
     std::shared_ptr<ShownShape> still;
     std::list<std::shared_ptr<ShownShape>> moved;  ///< The latest first.
-    std::list<KeptResult> kept;               ///< The latest first.
+    std::list<KeptResult> kept;                    ///< The latest first.
 
     void open();
     void check_inputs() const;
