@@ -80,6 +80,51 @@ export const touchTests = [
     },
   },
   {
+    name: "mouse_turns_beside_the_model_and_presses_fit_steps_and_mute",
+    async run({ browser, url }) {
+      const { page, context, problems } = await openPage(browser, url);
+      await viewFrom(page, "+z");
+      const start = cameraOf(await page.evaluate(state));
+      const aside = await middle(page, -40, -170);
+      await page.mouse.move(aside.x, aside.y);
+      await page.mouse.down();
+      await page.mouse.move(aside.x + 50, aside.y, { steps: 3 });
+      assert.equal(await page.evaluate(probe), null, "beside the model nothing is probed");
+      await page.mouse.up();
+      const turned = cameraOf(await page.evaluate(state));
+      assert.ok(Math.abs(Math.abs(turned.yaw - start.yaw) - 0.4) < 1e-4, "50 pixels are 0.4 rad");
+      await page.mouse.wheel(0, -300);
+      await until(page, state, (s) => s.camera[DISTANCE] < 0.9 * start.distance, "nearer");
+      const press = (name) => page.getByRole("button", { name, exact: true }).first().click();
+      await press("fit");
+      const fitted = cameraOf(await page.evaluate(state));
+      assert.ok(
+        fitted.distance > 0.9 * start.distance && fitted.yaw === turned.yaw,
+        "the whole model, as turned",
+      );
+      const { step } = await page.evaluate(state);
+      await press("next step");
+      await until(page, state, (s) => s.step !== step, "the next step");
+      await press("previous step");
+      await until(page, state, (s) => s.step === step, "the step before");
+      const { x, y } = await middle(page);
+      await press("sound");
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await until(page, probe, (r) => r?.hz > 0, "the mouse on the model");
+      await page.waitForTimeout(500);
+      assert.ok((await page.evaluate(listen)).level < 1e-4, "muted");
+      await page.mouse.up();
+      await press("sound");
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await until(page, listen, (h) => h.level > 0.002, "sound again");
+      await page.mouse.up();
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+  {
     name: "mouse_pans_turns_zooms_and_notes_keys_step_fit_and_mute",
     async run({ browser, url }) {
       const { page, context, problems } = await openPage(browser, url);

@@ -168,6 +168,16 @@ export const joint = (page, side, name) =>
     { side, name },
   );
 
+/** A bare hand whose tip of the index finger is at a place; it points to the front. */
+export async function fingerAt(page, side, to) {
+  const from = [0.2, 1.2, -0.4];
+  const ahead = (at) => [at[0], at[1], at[2] - 1];
+  await hand(page, side, from, ahead(from));
+  const tip = await joint(page, side, "index-finger-tip");
+  const at = from.map((v, k) => v + to[k] - tip[k]);
+  await hand(page, side, at, ahead(at));
+}
+
 /** Runs in the page: pinches of a headset that tells where one looks only when one begins to pinch. */
 function transientPinches() {
   const { IWER, headset } = globalThis;
@@ -224,6 +234,13 @@ export async function usePinches(page) {
   await frames(page, 4);
   const eyes = [0, 1.6, 0];
   const side = (name) => (name === "left" ? -0.2 : 0.2);
+  /** The headset knows nothing of how far the person has walked in the page's room. */
+  const unwalked = async (to) => {
+    const { position, yaw } = (await page.evaluate(() => window.feelem.state())).headset.head;
+    const [x, y, z] = to.map((v, i) => v - position[i]);
+    const [sin, cos] = [Math.sin(-yaw), Math.cos(-yaw)];
+    return [x * cos + z * sin, y, z * cos - x * sin].map((v, i) => v + eyes[i]);
+  };
   return {
     /** Looks at a place and pinches; the fingers are before the body. */
     async begin(to, name = "right") {
@@ -231,7 +248,7 @@ export async function usePinches(page) {
       await page.evaluate(({ name, eyes, turn, at }) => globalThis.pinches.begin(name, eyes, turn, at), {
         name,
         eyes,
-        turn: turnTowards(eyes, to),
+        turn: turnTowards(eyes, await unwalked(to)),
         at,
       });
       await frames(page, 3);

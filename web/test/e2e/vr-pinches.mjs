@@ -2,7 +2,7 @@
 // The table of interactions for headsets that know eyes only while one pinches: no gamepad, no hover, all by pinches.
 import assert from "node:assert/strict";
 import { listen, until } from "./harness.mjs";
-import { enter, frames, nodeInRoom, panelButton, usePinches } from "./vr-hands.mjs";
+import { enter, fingerAt, frames, nodeInRoom, panelButton, useHands, usePinches } from "./vr-hands.mjs";
 
 const state = () => window.feelem.state();
 const probe = () => window.feelem.lastProbe();
@@ -10,6 +10,28 @@ const model = async (page) => (await page.evaluate(state)).headset.model;
 const scaleOf = (m) => Math.hypot(...m.slice(0, 3));
 
 export const vrPinchTests = [
+  {
+    name: "vr_transient_headset_that_tracks_hands_touches_by_the_index_finger",
+    async run({ browser, url }) {
+      const { page, context, problems } = await enter(browser, url);
+      await useHands(page);
+      const fingers = await usePinches(page);
+      const { deformationFactor } = await page.evaluate(state);
+      const on = nodeInRoom(80, 20, 30, deformationFactor);
+      await fingerAt(page, "left", [on[0], on[1] + 0.01, on[2]]);
+      const seen = await until(page, probe, (r) => r?.pointer === "left-hand", "the touched place");
+      assert.ok(Math.abs(seen.point[0] - 80) < 1.5 && Math.abs(seen.point[2] - 30) < 1e-3, `${seen.point}`);
+      assert.deepEqual((await page.evaluate(state)).headset.touching, ["left-hand"]);
+      // A pinch counts before a touch: what is held is what is meant.
+      await fingers.begin(nodeInRoom(30, 20, 30, deformationFactor));
+      const held = await until(page, probe, (r) => r?.pointer === "right-transient", "the pinch");
+      assert.ok(Math.abs(held.point[0] - 30) < 0.5);
+      await fingers.end();
+      await until(page, probe, (r) => r?.pointer === "left-hand", "the touched place again");
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
   {
     name: "vr_transient_pinch_is_heard_while_it_lasts_and_the_hand_sweeps_it",
     async run({ browser, url }) {
@@ -154,6 +176,22 @@ export const vrPinchTests = [
         Math.abs(walked.panel.matrix[14] - start.panel.matrix[14] + 0.5) < 1e-3,
         "the panel comes along",
       );
+      await fingers.press("move:turn-right");
+      const turned = (await page.evaluate(state)).headset;
+      assert.ok(Math.abs(turned.head.yaw + Math.PI / 6) < 1e-3, `yaw ${turned.head.yaw}`);
+      await fingers.press("move:true-size");
+      assert.ok(Math.abs(scaleOf(await model(page)) - 0.001) < 1e-9, "a millimetre is a millimetre");
+      await fingers.press("move:table");
+      assert.ok(Math.abs(120 * scaleOf(await model(page)) - 0.8) < 1e-6, "on the table");
+      // Home: the table is before where one stands and looks now.
+      await fingers.press("move:home");
+      const home = (await page.evaluate(state)).headset;
+      const { position, yaw } = home.head;
+      const m = home.model;
+      const middle = [0, 1, 2].map((k) => m[k] * 60 + m[4 + k] * 20 + m[8 + k] * 15 + m[12 + k]);
+      const wanted = [position[0] - 1.2 * Math.sin(yaw), 1, position[2] - 1.2 * Math.cos(yaw)];
+      for (const k of [0, 1, 2])
+        assert.ok(Math.abs(middle[k] - wanted[k]) < 1e-3, `${middle} is not ${wanted}`);
       assert.deepEqual(problems, []);
       await context.close();
     },

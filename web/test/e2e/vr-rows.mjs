@@ -312,6 +312,10 @@ export const vrRowTests = [
       );
       const { tickRate } = await page.evaluate(probe);
       assert.ok(tickRate > 0, "ticks stand in for pulses where nothing shakes");
+      const { pulse } = await page.evaluate(probe);
+      const rings = (s) => s.headset.rings.find((r) => r.pointer === "right-hand");
+      const shown = await until(page, state, (s) => rings(s).pulses >= 2, "rings that show pulses");
+      assert.ok(Math.abs(rings(shown).strength - pulse.amplitude) < 1e-9, "as wide as the pulse is strong");
       await pinch(page, "right", 0);
       await until(page, listen, (h) => h.level < 1e-4, "silence");
       assert.equal((await page.evaluate(() => window.feelem.pulses())).length, 0);

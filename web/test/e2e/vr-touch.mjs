@@ -7,6 +7,7 @@ import {
   aim,
   button,
   enter,
+  fingerAt,
   frames,
   hand,
   joint,
@@ -34,16 +35,6 @@ function assertTrue(scene, report) {
       `${entry.name}: ${entry.value} is not ${there.value}`,
     );
   }
-}
-
-/** A bare hand whose tip of the index finger is at a place; it points to the front. */
-async function fingerAt(page, side, to) {
-  const from = [0.2, 1.2, -0.4];
-  const ahead = (at) => [at[0], at[1], at[2] - 1];
-  await hand(page, side, from, ahead(from));
-  const tip = await joint(page, side, "index-finger-tip");
-  const at = from.map((v, k) => v + to[k] - tip[k]);
-  await hand(page, side, at, ahead(at));
 }
 
 export const vrTouchTests = [
@@ -286,6 +277,17 @@ export const vrTouchTests = [
       await page.evaluate(() => window.headset.hands.left.quaternion.set(0, 0, 0, 1));
       await frames(page, 4);
       assert.equal((await page.evaluate(state)).headset.menu, null, "palm down: no menu");
+      // Walking and turning are on the panel.
+      const { position } = (await page.evaluate(state)).headset.head;
+      await pinchPanel(page, "tab:move");
+      await pinchPanel(page, "move:ahead");
+      const walked = await until(
+        page,
+        state,
+        (s) => s.headset.head.position[2] < position[2] - 0.4,
+        "a step",
+      );
+      assert.ok(Math.abs(walked.headset.head.position[2] - position[2] + 0.5) < 1e-3, "half a metre");
       assert.deepEqual(problems, []);
       await context.close();
     },
