@@ -96,6 +96,7 @@ export class App implements ApiSource {
 
   async start(): Promise<void> {
     // The shape first, as soon as it is known; then colours, then all that one can point at.
+    this.view.outline();
     this.fit();
     const shown = this.view.refresh();
     const pointed = this.view.picker.build(shown);

@@ -4,7 +4,8 @@ import { Vector3 } from "three";
 import { automaticDeformationFactor, type ValueRange } from "../present";
 import { type Cut, Picker } from "../probe";
 import { ModelObject } from "../render";
-import { MISSING, type PartField, type SceneData, type SceneResult, type SceneStep } from "../scene";
+import type { SceneData, SceneResult, SceneStep } from "../scene";
+import { largestOf, toVectors } from "./displacements";
 import {
   colourEffect,
   colourEntry,
@@ -151,6 +152,19 @@ export class ModelView {
     this.model.setGhost(this.#store.state.ghost && this.factor !== 0);
   }
 
+  /** Results that a step needs to be shown. */
+  #wantedAt(step: number): ReadonlySet<SceneResult> {
+    const presented = presentedOf(this.#store.state.doc, this.scene.extras);
+    const shape = this.#shapeResult();
+    const others = [shape, this.#imaginaryOf(shape, step)].filter((result) => result !== null);
+    return new Set([...presented.flatMap((p) => p.result ?? []), ...others]);
+  }
+
+  /** Reads a step that will be shown soon; what cannot be read is said when it is shown. */
+  readAhead(step: number): void {
+    for (const result of this.#wantedAt(step)) this.scene.loadField(result, step).catch(() => {});
+  }
+
   /** Loads what the state asks for and shows it; a result that cannot be read is said and left out. */
   async refresh(): Promise<void> {
     this.#turn += 1;
@@ -163,10 +177,7 @@ export class ModelView {
     const { doc, step } = this.#store.state;
     const presented = presentedOf(doc, this.scene.extras);
     const shape = this.#shapeResult();
-    const wanted = new Set<SceneResult>(presented.flatMap((p) => p.result ?? []));
-    if (shape) wanted.add(shape);
-    const other = this.#imaginaryOf(shape, step);
-    if (other) wanted.add(other);
+    const wanted = this.#wantedAt(step);
     // Nothing is coloured yet: the colour does not wait for what is heard and felt.
     const seen = Number.isNaN(this.#loadedStep) ? drivenBy(doc, "colour") : null;
     const first = presented.find((p) => p.key === seen && p.result);
@@ -225,13 +236,29 @@ export class ModelView {
     this.model.setDisplacements(this.#displacements, this.#imaginary);
   }
 
-  /** Until the rest has come nothing can be pointed at: nobody takes what is still on its way for missing. */
-  #colourEarly(all: readonly Presented[], result: SceneResult, came: Fields, step: number): void {
+  /** Names and ranges, for a page that waits for its first results. */
+  outline(): void {
+    const { doc, step } = this.#store.state;
+    this.#shown = this.#outlined(presentedOf(doc, this.scene.extras), step, null, null);
+    this.#changed();
+  }
+
+  #outlined(
+    all: readonly Presented[],
+    step: number,
+    result: SceneResult | null,
+    came: Fields | null,
+  ): readonly Shown[] {
     const nothing: Fields = this.scene.parts.map(() => null);
-    this.#shown = all.map((p) => {
-      const fields = p.result === result ? came : nothing;
+    return all.map((p) => {
+      const fields = came && p.result === result ? came : nothing;
       return { ...p, fields, range: rangeOf(p, step, fields) };
     });
+  }
+
+  /** Until the rest has come nothing can be pointed at: nobody takes what is still on its way for missing. */
+  #colourEarly(all: readonly Presented[], result: SceneResult, came: Fields, step: number): void {
+    this.#shown = this.#outlined(all, step, result, came);
     this.#applyColour();
     this.#changed();
   }
@@ -305,28 +332,4 @@ export class ModelView {
   dispose(): void {
     this.model.dispose();
   }
-}
-
-/** Three numbers a vertex; NaN where missing, which moves nothing. */
-function toVectors(field: PartField): Float32Array {
-  if (field.components === 3) return field.values;
-  const count = field.state.length;
-  const out = new Float32Array(3 * count);
-  for (let i = 0; i < count; ++i) {
-    for (let c = 0; c < 3; ++c)
-      out[3 * i + c] = field.state[i] === MISSING ? 0 : (field.values[i * field.components + c] ?? 0);
-  }
-  return out;
-}
-
-function largestOf(displacements: readonly (Float32Array | null)[]): number {
-  let largest = 0;
-  for (const vectors of displacements) {
-    for (let i = 0; vectors && i + 2 < vectors.length; i += 3) {
-      const [x, y, z] = [vectors[i] ?? 0, vectors[i + 1] ?? 0, vectors[i + 2] ?? 0];
-      const square = x * x + y * y + z * z;
-      if (square > largest) largest = square;
-    }
-  }
-  return Math.sqrt(largest);
 }

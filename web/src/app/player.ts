@@ -17,6 +17,8 @@ export class Player {
   #started: number | null = null;
   #lastStep = 0;
   #angle = 0;
+  /** The step that was asked for before its time. */
+  #ahead = Number.NaN;
 
   constructor(view: ModelView, store: Store, stage: Stage) {
     this.#view = view;
@@ -58,16 +60,29 @@ export class Player {
       this.#view.applyFactor(this.#angle);
       return;
     }
+    if (this.#view.ready) this.#readAhead();
     if (!this.#view.ready || seconds - this.#lastStep < STEP_SECONDS / this.#store.state.speed) return;
     this.#lastStep = seconds;
     this.stepBy(1);
   }
 
-  /** Forward or back, round at the ends. */
-  stepBy(count: number): void {
+  #stepAfter(count: number): number | null {
     const { steps } = this.#view.scene.extras;
     const index = steps.findIndex((s) => s.id === this.#store.state.step);
-    const next = steps[(((index + count) % steps.length) + steps.length) % steps.length];
-    if (next) this.#store.set({ step: next.id });
+    return steps[(((index + count) % steps.length) + steps.length) % steps.length]?.id ?? null;
+  }
+
+  /** The next step comes while this one is looked at. */
+  #readAhead(): void {
+    const next = this.#stepAfter(1);
+    if (next === null || next === this.#ahead) return;
+    this.#ahead = next;
+    this.#view.readAhead(next);
+  }
+
+  /** Forward or back, round at the ends. */
+  stepBy(count: number): void {
+    const step = this.#stepAfter(count);
+    if (step !== null) this.#store.set({ step });
   }
 }

@@ -21,12 +21,16 @@ export function edgeSources(faces: readonly Slice[], edges: readonly Slice[]): I
   return out;
 }
 
+/** Edges that are looked at for the median. */
+const SAMPLES = 1000;
+
 /** Median length of the element edges, model units; 0 without edges. */
 export function typicalEdge(parts: readonly ScenePart[]): number {
   const lengths: number[] = [];
+  const all = parts.reduce((sum, { edges }) => sum + (edges?.indices.length ?? 0), 0);
+  const step = Math.max(2, 2 * Math.floor(all / 2 / SAMPLES));
   for (const { edges } of parts) {
     if (!edges) continue;
-    const step = Math.max(2, 2 * Math.floor(edges.indices.length / 2000));
     for (let i = 0; i + 1 < edges.indices.length; i += step) {
       const [a, b] = [3 * (edges.indices[i] ?? 0), 3 * (edges.indices[i + 1] ?? 0)];
       const d = (axis: number) => (edges.positions[a + axis] ?? 0) - (edges.positions[b + axis] ?? 0);

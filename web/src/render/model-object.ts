@@ -126,12 +126,19 @@ export class ModelObject {
   setValues(fields: readonly (PartField | null)[] | null, component: number): void {
     const value = this.#faces.geometry.getAttribute("value") as BufferAttribute;
     const missing = this.#faces.geometry.getAttribute("missing") as BufferAttribute;
+    const [known, gone] = [value.array as Float32Array, missing.array as Float32Array];
     for (const [index, { firstVertex, vertices }] of this.#faces.slices.entries()) {
-      const field = fields?.[index] ?? null;
+      const field = fields?.[index];
+      if (!field) {
+        known.fill(0, firstVertex, firstVertex + vertices);
+        gone.fill(1, firstVertex, firstVertex + vertices);
+        continue;
+      }
+      const { values, state, components } = field;
       for (let i = 0; i < vertices; ++i) {
-        const gone = !field || field.state[i] === MISSING;
-        value.array[firstVertex + i] = gone ? 0 : (field.values[i * field.components + component] ?? 0);
-        missing.array[firstVertex + i] = gone ? 1 : 0;
+        const none = state[i] === MISSING;
+        known[firstVertex + i] = none ? 0 : (values[i * components + component] ?? 0);
+        gone[firstVertex + i] = none ? 1 : 0;
       }
     }
     value.needsUpdate = true;
@@ -155,13 +162,14 @@ export class ModelObject {
         merged?.geometry.setAttribute(name, merged.geometry.getAttribute("displacement").clone());
     }
     const target = faces.getAttribute(name) as BufferAttribute;
+    const moved = target.array as Float32Array;
     for (const [index, { firstVertex, vertices }] of this.#faces.slices.entries()) {
-      const source = displacements[index] ?? null;
-      for (let i = 0; i < 3 * vertices; ++i) {
-        const moved = source?.[i] ?? 0;
-        target.array[3 * firstVertex + i] = Number.isNaN(moved) ? 0 : moved;
-      }
+      const source = displacements[index];
+      const [from, to] = [3 * firstVertex, 3 * (firstVertex + vertices)];
+      if (source) moved.set(source.subarray(0, to - from), from);
+      else moved.fill(0, from, to);
     }
+    for (let i = 0; i < moved.length; ++i) if (Number.isNaN(moved[i])) moved[i] = 0;
     target.needsUpdate = true;
     this.#moveLines(name);
   }
@@ -170,10 +178,10 @@ export class ModelObject {
     const target = this.#faces.geometry.getAttribute(name) as BufferAttribute;
     const lines = this.#edges?.geometry.getAttribute(name) as BufferAttribute | undefined;
     if (!lines || !this.#edgeSource) return;
+    const [to, from] = [lines.array as Float32Array, target.array as Float32Array];
     for (let i = 0; i < this.#edgeSource.length; ++i) {
       const vertex = this.#edgeSource[i] ?? -1;
-      for (let c = 0; c < 3; ++c)
-        lines.array[3 * i + c] = vertex < 0 ? 0 : (target.array[3 * vertex + c] ?? 0);
+      for (let c = 0; c < 3; ++c) to[3 * i + c] = vertex < 0 ? 0 : (from[3 * vertex + c] ?? 0);
     }
     lines.needsUpdate = true;
   }

@@ -154,6 +154,34 @@ export const budgetTests = [
     },
   },
   {
+    name: "budget_playing_reads_the_next_step_while_this_one_is_looked_at_and_none_twice",
+    async run({ browser, serveTiny }) {
+      const { url, close } = await serveTiny({ sideFiles: true, times: 4 });
+      const { page, context, problems } = await openPage(browser, url);
+      const asked = [];
+      page.on("request", (request) => {
+        if (request.url().endsWith(".bin")) asked.push(request.url().split("/").at(-1));
+      });
+      await page.locator(".step-select").selectOption("3");
+      await until(page, state, (s) => s.step === 3, "the step");
+      for (let k = 0; k < 3; ++k) await page.keyboard.press("-");
+      await page.waitForTimeout(300);
+      assert.ok(asked.includes("temperature.3.bin") && !asked.includes("temperature.4.bin"), `${asked}`);
+      await page.locator(".stepbar").getByLabel("play").click();
+      await until(page, state, (s) => s.step === 4, "the next step, at once");
+      const end = Date.now() + 4000;
+      while (!asked.includes("temperature.5.bin") && Date.now() < end) await page.waitForTimeout(30);
+      assert.ok(asked.includes("temperature.5.bin"), "asked for in time");
+      assert.equal((await page.evaluate(state)).step, 4, "not yet shown");
+      assert.ok(!asked.includes("temperature.6.bin"), "one step, not all of them");
+      await until(page, state, (s) => s.step === 5, "the step after");
+      assert.equal(new Set(asked).size, asked.length, `nothing is asked for twice: ${asked}`);
+      assert.deepEqual(problems, []);
+      await context.close();
+      await close();
+    },
+  },
+  {
     name: "budget_two_hundred_parts_with_edges_ghost_clear_parts_and_both_eyes_stay_within_the_calls",
     async run({ browser, serveTiny }) {
       const { url, close } = await serveTiny({ bars: 200, cells: [2, 1, 1] });
