@@ -24,6 +24,7 @@ macro(feelem_dependencies)
     endif()
     if(FEELEM_BUILD_BENCH)
         feelem_need(benchmark libbenchmark-dev CONFIG)
+        feelem_need(meshoptimizer libmeshoptimizer-dev CONFIG)
     endif()
 endmacro()
 

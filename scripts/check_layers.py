@@ -12,18 +12,19 @@ MAY_INCLUDE = {
     "derive": ["base", "model"],
     "skin": ["base", "model"],
     "inside": ["base", "model", "skin"],
+    "lod": ["base", "model"],
     "pick": ["base", "model"],
     "write": ["base", "model"],
     "present": ["base"],
     "scene": ["base", "model", "present"],
-    "convert": ["base", "model", "read", "derive", "skin", "inside", "pick", "present", "scene", "write"],
+    "convert": ["base", "model", "read", "derive", "skin", "inside", "lod", "pick", "present", "scene", "write"],
     "distribute": ["base", "model", "convert"],
 }
 PUBLIC_HEADER_OWNER = {
     "error": "base", "diagnostics": "base",
     "ids": "model", "element_type": "model", "mesh": "model", "result": "model", "model": "model", "surface": "model",
-    "read": "read", "derive": "derive", "skin": "skin", "inside": "inside", "pick": "pick", "write": "write", "present": "present",
-    "scene": "scene", "convert": "convert", "probe": "convert", "interior": "convert",
+    "read": "read", "derive": "derive", "skin": "skin", "inside": "inside", "lod": "lod", "pick": "pick", "write": "write",
+    "present": "present", "scene": "scene", "convert": "convert", "probe": "convert", "interior": "convert",
 }
 ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli",
            "vtk": ("apps/exchange", "bench/peers"), "hdf5.h": "apps/exchange", "netcdf.h": "apps/exchange"}
