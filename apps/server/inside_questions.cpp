@@ -65,10 +65,10 @@ void answer_whole(
 
 }  // namespace
 
-std::string packed_section(const Section& section, const std::vector<std::int64_t>& element_ids) {
+std::string packed_section(const Section& section, const std::vector<SectionOwner>& owners) {
     const Point3 origin = section.positions.empty() ? Point3{} : section.positions.front();
     std::string out;
-    out.reserve(kHeaderSize + section.positions.size() * 16 + section.triangles.size() * 20);
+    out.reserve(kHeaderSize + section.positions.size() * 16 + section.triangles.size() * 24);
     out += "FLIN";
     put(out, kSectionVersion);
     put(out, static_cast<std::uint32_t>(section.positions.size()));
@@ -77,12 +77,13 @@ std::string packed_section(const Section& section, const std::vector<std::int64_
     put(out, static_cast<std::uint64_t>(section.elements));
     put(out, static_cast<std::uint64_t>(section.elements_without_place));
     put(out, origin);
-    for (const std::int64_t id : element_ids) put(out, static_cast<double>(id));
+    for (const SectionOwner& owner : owners) put(out, static_cast<double>(owner.element));
     for (const Point3& place : section.positions) {
         for (std::size_t axis = 0; axis < 3; ++axis) put(out, static_cast<float>(place[axis] - origin[axis]));
     }
     for (const float value : section.values) put(out, value);
     for (const auto& triangle : section.triangles) put(out, triangle);
+    for (const SectionOwner& owner : owners) put(out, owner.part);
     return out;
 }
 
@@ -98,7 +99,7 @@ InsideQuestions::Make InsideQuestions::section(const httplib::Params& params) {
     const PlaneQuestion question = plane_question(params);
     return [this, question](const QuestionPool::IsCancelled& is_cancelled) -> std::string {
         const auto made = model_.section(question, limits_for(is_cancelled));
-        return made ? packed_section(*made, model_.element_ids(*made)) : std::string();
+        return made ? packed_section(*made, model_.owners(*made)) : std::string();
     };
 }
 
@@ -106,7 +107,7 @@ InsideQuestions::Make InsideQuestions::surface(const httplib::Params& params) {
     const LevelQuestion question = level_question(params);
     return [this, question](const QuestionPool::IsCancelled& is_cancelled) -> std::string {
         const auto made = model_.surface(question, limits_for(is_cancelled));
-        return made ? packed_section(*made, model_.element_ids(*made)) : std::string();
+        return made ? packed_section(*made, model_.owners(*made)) : std::string();
     };
 }
 

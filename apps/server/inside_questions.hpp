@@ -47,7 +47,7 @@ private:
 };
 
 /// A section as bytes: the header and arrays of docs/serving.md.
-std::string packed_section(const Section& section, const std::vector<std::int64_t>& element_ids);
+std::string packed_section(const Section& section, const std::vector<SectionOwner>& owners);
 
 /// The page is told that it may ask.
 std::string with_inside_hint(std::string index);

@@ -6,6 +6,7 @@
 #include "feelem/inside.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,6 +46,12 @@ struct PlaceQuestion {
     std::optional<InteriorShape> shape{};
 };
 
+/// Whose a triangle is: the solver's number of the element, and its part in the model.
+struct SectionOwner {
+    std::int64_t element = 0;
+    std::uint32_t part = 0;
+};
+
 struct InteriorOptions {
     std::size_t kept_bytes = std::size_t{512}
                              << 20U;  ///< Of results that were read; the last one stays anyway.
@@ -67,8 +74,8 @@ public:
     std::optional<Section> surface(const LevelQuestion& question, const SectionLimits& limits);
     /// JSON (docs/serving.md); "element" is null where there is no solid.
     std::optional<std::string> place(const PlaceQuestion& question, const SectionLimits& limits);
-    /// Solver's numbers of a section's triangles.
-    std::vector<std::int64_t> element_ids(const Section& section);
+    /// Of each triangle of a section.
+    std::vector<SectionOwner> owners(const Section& section);
 
 private:
     struct State;

@@ -246,12 +246,14 @@ std::optional<std::string> InteriorModel::place(const PlaceQuestion& question, c
     return interior_json(state_->mesh(), question.place, found, readings);
 }
 
-std::vector<std::int64_t> InteriorModel::element_ids(const Section& section) {
-    std::vector<std::int64_t> ids;
-    ids.reserve(section.triangle_element.size());
-    for (const ElementIndex element : section.triangle_element)
-        ids.push_back(raw(element_at(state_->mesh(), element).id()));
-    return ids;
+std::vector<SectionOwner> InteriorModel::owners(const Section& section) {
+    std::vector<SectionOwner> owners;
+    owners.reserve(section.triangle_element.size());
+    for (const ElementIndex index : section.triangle_element) {
+        const ElementRef element = element_at(state_->mesh(), index);
+        owners.push_back({raw(element.id()), raw(element.part())});
+    }
+    return owners;
 }
 
 }  // namespace feelem

@@ -94,14 +94,14 @@ TEST_F(ServedInside, section_is_what_the_library_makes_of_the_model) {
     InteriorModel model(job());
     const Section section = model.section({{"stress_von_mises"}, {{0, 0, 1}, 310}}, {}).value();
     ASSERT_GT(section.triangles.size(), 500U);
-    EXPECT_EQ(body, server::packed_section(section, model.element_ids(section)));
+    EXPECT_EQ(body, server::packed_section(section, model.owners(section)));
 
     EXPECT_EQ(body.substr(0, 4), "FLIN");
     EXPECT_EQ(number_at<std::uint32_t>(body, 4), 1U);
     const auto vertices = number_at<std::uint32_t>(body, 8), triangles = number_at<std::uint32_t>(body, 12);
     EXPECT_EQ(vertices, section.positions.size());
     EXPECT_EQ(triangles, section.triangles.size());
-    ASSERT_EQ(body.size(), 64 + triangles * 8U + vertices * 16U + triangles * 12U);
+    ASSERT_EQ(body.size(), 64 + triangles * 8U + vertices * 16U + triangles * 16U);
     EXPECT_EQ(number_at<double>(body, 16), section.area);
     EXPECT_EQ(number_at<std::uint64_t>(body, 24), section.elements);
     const std::size_t positions = 64 + triangles * 8U, values = positions + vertices * 12U;

@@ -34,6 +34,8 @@ export interface AppOptions {
   readonly antialias: boolean;
   /** The picture gets coarser while it moves, where frames would take too long. */
   readonly governed: boolean;
+  /** The scene is the server's own, so that it can be asked about the inside. */
+  readonly served: boolean;
   /** Asks for a file and opens it. */
   readonly openFile: () => void;
 }
@@ -123,6 +125,11 @@ export class App implements ApiSource {
     const found = this.features.find((f) => f.id === id);
     if (!found) throw new Error(`there is no feature '${id}'`);
     return found as T;
+  }
+
+  /** Whether the scene came from the page's own server. */
+  get served(): boolean {
+    return this.#options.served;
   }
 
   /** Asks the person for a scene or a presentation. */

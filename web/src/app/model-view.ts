@@ -22,6 +22,8 @@ const TOLD_BY_LIGHTNESS: ReadonlySet<string> = new Set(["cividis", "cool_warm"])
 /** A step that is left again so soon, while another is still on its way, is not read. */
 const PASSED_BY_MS = 120;
 const scratch = new Vector3();
+const SKIN_ONLY =
+  "Inside the material: this scene has no volume elements, so there is no value here. Open the model file with feelem view for coloured sections.";
 
 /** A result of the presentation with its values and range at the step that is shown. */
 export interface Shown extends Presented {
@@ -52,6 +54,7 @@ export class ModelView {
   /** Position in the swing of a mode, radians. */
   #angle = 0;
   #cuts: readonly Cut[] = [];
+  #insideText: () => string = () => SKIN_ONLY;
 
   constructor(scene: SceneData, store: Store, changed: () => void) {
     this.scene = scene;
@@ -98,6 +101,11 @@ export class ModelView {
     if (!this.hasShape || deformMode === "off") return 0;
     if (deformMode === "true") return 1;
     return deformMode === "auto" ? this.automaticFactor : typedFactor;
+  }
+
+  /** The displacement that moves the shape. */
+  get shapeResult(): SceneResult | null {
+    return this.hasShape ? this.#shapeResult() : null;
   }
 
   #shapeResult(): SceneResult | null {
@@ -314,7 +322,12 @@ export class ModelView {
 
   /** What is said of the material that a cut has opened. */
   get insideText(): string {
-    return "Inside the material: this scene holds the skin only, so there is no value here.";
+    return this.#insideText();
+  }
+
+  /** Somebody knows more of the inside than the scene does. */
+  setInsideText(text: () => string): void {
+    this.#insideText = text;
   }
 
   applyShading(): void {

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is at a place: the numbers, and what each sense makes of them. The page API hands this out as it is.
 import { colourOf, pulseOf, tickRateOf, toneOf } from "../present";
-import { nearestNode, type Place, placePoint, type ValueState, valueAt } from "../probe";
+import {
+  nearestNode,
+  type Place,
+  type PlaceValue,
+  placePoint,
+  type SectionPlace,
+  sectionValue,
+  type ValueState,
+  valueAt,
+} from "../probe";
 import { utilisation } from "./limits";
 import type { ModelView, Shown } from "./model-view";
 import type { Person } from "./person";
@@ -45,11 +54,59 @@ export interface ProbeReport {
   readonly tickRate: number;
   readonly pulse: { readonly rate: number; readonly amplitude: number };
   readonly pointer: string;
+  /** Of a place inside, on the section of a plane; null on the skin. */
+  readonly interior: InteriorReport | null;
+}
+
+export interface InteriorReport {
+  /** Values are those of the element's shape functions at this place; else, for a moment, those of the drawing. */
+  readonly exact: boolean;
+  readonly elementType: string | null;
+}
+
+/** Where a place is and how its values are read. */
+interface Reading {
+  readonly point: readonly [number, number, number];
+  readonly elementId: number | null;
+  readonly nodeId: number | null;
+  readonly interior: InteriorReport | null;
+  readonly read: (shown: Shown) => PlaceValue;
+}
+
+function onSkin(view: ModelView, place: Place): Reading | null {
+  const part = view.scene.parts[place.part];
+  if (!part) return null;
+  return {
+    point: placePoint(part, place, view.scene.extras.origin ?? [0, 0, 0]),
+    elementId: part.elementIds?.[place.triangle] ?? null,
+    nodeId: nearestNode(part, place)?.id ?? null,
+    interior: null,
+    read: (shown) => valueAt(part, place, shown.fields[place.part] ?? null, shown.componentIndex),
+  };
+}
+
+function onSection(view: ModelView, place: SectionPlace): Reading {
+  const origin = view.scene.extras.origin ?? [0, 0, 0];
+  const [x, y, z] = place.point;
+  // A chord of a curved wall is drawn a little outside of the elements: there the drawing is all there is.
+  const exact = place.exact?.elementId == null ? null : place.exact;
+  return {
+    point: [x + origin[0], y + origin[1], z + origin[2]],
+    elementId: exact?.elementId ?? place.section.data.elementIds[place.triangle] ?? null,
+    nodeId: exact?.nodeId ?? null,
+    interior: { exact: exact !== null, elementType: exact?.elementType ?? null },
+    read: (shown) => {
+      const known = exact?.values.get(shown.key);
+      const value = known ? known.value : sectionValue(place, shown.key);
+      const state = value === null ? "missing" : known ? "solver" : "interpolated";
+      return { value, nodeValue: known?.nodeValue ?? null, state };
+    },
+  };
 }
 
 const hex = (rgb: readonly number[]) => `#${rgb.map((c) => c.toString(16).padStart(2, "0")).join("")}`;
 
-/** Everything at a place of the skin. `vibrates`: whether the pointer has an actuator. */
+/** Everything at a place of the skin or of a section. `vibrates`: whether the pointer has an actuator. */
 export function reportAt(
   view: ModelView,
   doc: PresentationDoc,
@@ -57,10 +114,9 @@ export function reportAt(
   place: Place,
   pointer: { name: string; vibrates: boolean },
 ): ProbeReport | null {
-  const part = view.scene.parts[place.part];
-  if (!part) return null;
-  const readOf = (shown: Shown) =>
-    valueAt(part, place, shown.fields[place.part] ?? null, shown.componentIndex);
+  const reading = place.section ? onSection(view, place.section) : onSkin(view, place);
+  if (!reading) return null;
+  const { read: readOf, ...where } = reading;
   const numberOf = (shown: Shown | null) => (shown && readOf(shown).value) ?? Number.NaN;
   const colour = view.shownAs("colour");
   const pitch = view.shownAs("pitch");
@@ -78,9 +134,7 @@ export function reportAt(
   else if (pulses && standIn && !pointer.vibrates)
     tickRate = tickRateOf(numberOf(pulses), pulses.range, standIn);
   return {
-    point: placePoint(part, place, view.scene.extras.origin ?? [0, 0, 0]),
-    elementId: part.elementIds?.[place.triangle] ?? null,
-    nodeId: nearestNode(part, place)?.id ?? null,
+    ...where,
     results: view.shown
       .filter((shown) => shown.result)
       .map((shown) => {

@@ -6,6 +6,8 @@ import { fetchScene } from "./first-state";
 import { Page } from "./page";
 
 const JSON_NAME = /\.json$/i;
+/** What a server that was given a model serves as its scene. */
+const OWN_SCENE = "scene.glb";
 const SCENE_NAME = /\.(glb|gltf)$/i;
 
 /** Files of a drop, folders with all that is in them. */
@@ -64,7 +66,7 @@ export class Shell {
 
   async openAddress(sceneUrl: string): Promise<void> {
     try {
-      await this.#show(await fetchScene(sceneUrl), sceneUrl);
+      await this.#show(await fetchScene(sceneUrl), sceneUrl, sceneUrl === OWN_SCENE);
     } catch (error) {
       this.#page.showFailure(error instanceof Error ? error.message : String(error));
       throw error;
@@ -86,7 +88,7 @@ export class Shell {
         const opened = await openScene(scene.stream(), beside);
         // The view in the address was that of another scene.
         history.replaceState(history.state, "", location.pathname + location.search);
-        await this.#show(opened, scene.name);
+        await this.#show(opened, scene.name, false);
       }
       if (presentation) this.#app?.openPresentation(JSON.parse(await presentation.text()));
       if (!scene && !presentation)
@@ -100,12 +102,16 @@ export class Shell {
     }
   }
 
-  async #show(scene: Awaited<ReturnType<typeof openScene>>, sceneUrl: string): Promise<void> {
+  async #show(
+    scene: Awaited<ReturnType<typeof openScene>>,
+    sceneUrl: string,
+    served: boolean,
+  ): Promise<void> {
     if (this.#app) {
       this.#app.dispose();
       this.#page = new Page(this.#host);
     }
-    const options: AppOptions = { sceneUrl, ...this.#drawing, openFile: () => this.#choose() };
+    const options: AppOptions = { sceneUrl, ...this.#drawing, served, openFile: () => this.#choose() };
     this.#app = new App(this.#page, scene, options);
     await this.#app.start();
   }

@@ -5,5 +5,12 @@ export { findElement, findNode, placeOfVertex, placeVertex } from "./find";
 export { type HotSpot, hotSpots } from "./hot-spots";
 export { type Cast, type Hit, Picker, type PickLook } from "./picker";
 export * from "./sample";
+export {
+  type DrawnSection,
+  type InteriorAnswer,
+  placeOnSections,
+  type SectionPlace,
+  sectionValue,
+} from "./sections";
 export { type Slab, slabsOf } from "./slabs";
 export { placeOnWalk, type Walk, walkThrough } from "./walk";

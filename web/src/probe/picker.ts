@@ -6,6 +6,7 @@ import { type Cut, isCutAway, kept } from "./cuts";
 import { growTrees } from "./grow-trees";
 import { drawnAt, MovingTree, type Shape } from "./moving-tree";
 import { barycentric, cornersOf, type Place } from "./sample";
+import { type DrawnSection, placeOnSections } from "./sections";
 
 export interface Hit extends Place {
   /** Metres along the ray. */
@@ -48,6 +49,7 @@ export class Picker {
   #factorIm = 0;
   #looks: readonly PickLook[] = [];
   #cuts: readonly Cut[] = [];
+  #sections: readonly DrawnSection[] = [];
 
   constructor(parts: readonly ScenePart[]) {
     this.#targets = parts.map((part) => ({ part, tree: null }));
@@ -91,6 +93,23 @@ export class Picker {
     this.#cuts = cuts;
   }
 
+  /** Sections that are drawn where the planes open solids. */
+  setSections(sections: readonly DrawnSection[]): void {
+    this.#sections = sections;
+  }
+
+  /** What a ray meets where it enters the material through a plane. */
+  #onSection(distance: number, world: Matrix4): Cast {
+    const at = scratchRay.origin;
+    const inside = at.clone().applyMatrix4(world);
+    const section = placeOnSections(this.#sections, [at.x, at.y, at.z]);
+    if (!section) return { hit: null, inside };
+    return {
+      hit: { part: -1, triangle: -1, weights: [1, 0, 0], section, distance, world: inside },
+      inside: null,
+    };
+  }
+
   /** First hit of a ray in world metres; `world` is the matrix from model units to world. */
   ray(ray: Ray, world: Matrix4): Hit | null {
     return this.cast(ray, world).hit;
@@ -111,8 +130,7 @@ export class Picker {
     const point = scratchRay.at(along, new Vector3());
     const { a, b, c } = this.#drawnTriangle(index, triangle);
     if (range.enters > 0 && target.part.info.kind === "solid" && this.#fromBehind(a, b, c)) {
-      const inside = scratchRay.origin.clone().applyMatrix4(world);
-      return { hit: null, inside };
+      return this.#onSection(scratchRay.origin.clone().applyMatrix4(world).distanceTo(ray.origin), world);
     }
     const weights = barycentric(point.toArray(), a.toArray(), b.toArray(), c.toArray());
     point.applyMatrix4(world);
@@ -188,6 +206,7 @@ export class Picker {
   worldOf(place: Place, world: Matrix4): Vector3 {
     const target = this.#targets[place.part];
     const point = new Vector3();
+    if (place.section) return point.set(...place.section.point).applyMatrix4(world);
     if (!target) return point;
     const shape = this.#shapeOf(place.part);
     for (const [k, vertex] of cornersOf(target.part, place.triangle).entries()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A place on a triangle -> ids and values: barycentric between nodes, the file's at them. No three.js.
 import { INTERPOLATED, MISSING, type PartField, type ScenePart } from "../scene";
+import type { SectionPlace } from "./sections";
 
 export type Weights = readonly [number, number, number];
 
@@ -10,6 +11,8 @@ export interface Place {
   readonly part: number;
   readonly triangle: number;
   readonly weights: Weights;
+  /** On the section that a plane opens: then `part` is -1, for no triangle of the skin is there. */
+  readonly section?: SectionPlace;
 }
 
 export type ValueState = "solver" | "interpolated" | "missing";

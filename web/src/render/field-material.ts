@@ -128,6 +128,7 @@ export class FieldMaterial extends ShaderMaterial {
     this.uniforms = {
       ...uniforms,
       pass: { value: PASS[pass] },
+      ownPlane: { value: -1 },
       opacity: { value: clear ? 0.22 : 1 },
     };
   }
@@ -148,6 +149,7 @@ export class EdgeMaterial extends ShaderMaterial {
       ...uniforms,
       ...(still ? { factor: { value: 0 }, factorIm: { value: 0 } } : {}),
       pass: { value: PASS.both },
+      ownPlane: { value: -1 },
       colour: { value: new Color(colour) },
       opacity: { value: 0.5 },
     };

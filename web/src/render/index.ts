@@ -2,6 +2,7 @@
 // Drawing: stage, model, palette.
 export { featureEdges } from "./feature-edges";
 export { type CutPlane, MAX_CUTS } from "./field-material";
+export type { InsideMesh, InsideTriangles } from "./inside-mesh";
 export { ModelObject } from "./model-object";
 export { Orbit } from "./orbit";
 export { makePalette, type Palette, texelOf } from "./palette";

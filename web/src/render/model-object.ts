@@ -14,6 +14,7 @@ import {
   sharedUniforms,
   type Uniforms,
 } from "./field-material";
+import { InsideMesh, type InsideTriangles } from "./inside-mesh";
 import { type Merged, mergeEdges, mergeFaces } from "./merged";
 import type { Palette } from "./palette";
 import { type PartLook, PartTable } from "./part-table";
@@ -41,6 +42,8 @@ export class ModelObject {
   #ghost: LineSegments | null = null;
   #edgesWanted = true;
   #edgesAllowed = true;
+  readonly #inside = new Set<InsideMesh>();
+  #isCut = false;
   #palette: Palette | null = null;
 
   constructor(scene: SceneData) {
@@ -206,6 +209,17 @@ export class ModelObject {
     setCutUniforms(this.#uniforms, planes);
     for (const material of [this.#shown, this.#clear, this.#edgeMaterial, this.#ghostMaterial])
       material.setCut(planes.length > 0);
+    for (const { mesh } of this.#inside) mesh.material.setCut(planes.length > 0);
+    this.#isCut = planes.length > 0;
+  }
+
+  /** Triangles of the inside, drawn until they are removed. */
+  addInside(triangles: InsideTriangles): InsideMesh {
+    const made: InsideMesh = new InsideMesh(triangles, this.#uniforms, () => this.#inside.delete(made));
+    made.mesh.material.setCut(this.#isCut);
+    this.#inside.add(made);
+    this.group.add(made.mesh);
+    return made;
   }
 
   setEdges(wanted: boolean): void {
@@ -248,6 +262,7 @@ export class ModelObject {
     this.#edges?.geometry.dispose();
     this.#ghost?.geometry.dispose();
     (this.#uniforms.palette?.value as { dispose(): void } | null)?.dispose();
+    for (const inside of [...this.#inside]) inside.remove();
     this.#table.dispose();
     for (const material of [this.#shown, this.#clear, this.#edgeMaterial, this.#ghostMaterial])
       material.dispose();

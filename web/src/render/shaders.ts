@@ -29,8 +29,9 @@ const CUT = /* glsl */ `
 #ifdef CUT
 uniform vec4 planes[3];
 uniform int planeCount;
+uniform int ownPlane;
 bool cutAway(vec3 at) {
-  for (int i = 0; i < 3; ++i) if (i < planeCount && dot(planes[i].xyz, at) > planes[i].w) return true;
+  for (int i = 0; i < 3; ++i) if (i < planeCount && i != ownPlane && dot(planes[i].xyz, at) > planes[i].w) return true;
   return false;
 }
 #endif

@@ -4,3 +4,4 @@ export { differenceResult } from "./difference";
 export { firstVertices, type NodeNumbers, nodeNumbers } from "./node-numbers";
 export { openScene, type SceneData } from "./scene-file";
 export * from "./scene-types";
+export { readSection, type SectionData } from "./section-data";

@@ -62,6 +62,8 @@ export interface ScenePartInfo {
   readonly kind: string;
   readonly domain?: string;
   readonly elements?: string | null;
+  /** Which part of the model: its solids and its shells are two parts of the scene. */
+  readonly modelPart?: number;
 }
 
 /** Root extras.feelem. Keys this page does not know are kept as they are. */

@@ -10,6 +10,8 @@ export interface CutRow {
   /** Where along its normal the model begins and ends, model units. */
   readonly from: number;
   readonly to: number;
+  /** What is to be said of its section; empty: nothing. */
+  readonly section: string;
 }
 
 export interface CutListModel {
@@ -73,6 +75,7 @@ function plane(entry: CutRow, index: number, model: CutListModel, actions: CutAc
       <input class="number cut-place" inputmode="decimal" aria-label="place of ${name}, typed" .value=${numberText(cut.offset)} @change=${typed} />
       <span class="unit">${unitText(model.lengthUnit)}</span>
     </div>
+    ${entry.section ? html`<p class="cut-section" data-cut=${index}>${entry.section}</p>` : null}
     <label class="cut-normal"><span>normal</span><input inputmode="decimal" aria-label="normal of ${name}"
       .value=${cut.normal.map((n) => numberText(n, 4)).join(" ")} @change=${turned} /></label>
   </li>`;

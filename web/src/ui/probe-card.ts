@@ -41,6 +41,15 @@ function rowTemplate(row: CardRow): TemplateResult {
   ${row.alarm ? html`<tr class="alarm-text"><td colspan="3">${row.alarm}${row.utilisation === null ? "" : ` · ${numberText(100 * row.utilisation, 4)} %`}</td></tr>` : null}`;
 }
 
+/** What the values of a place inside are. */
+export function interiorText(report: ProbeReport): string {
+  const { interior, elementId } = report;
+  if (!interior) return "";
+  const element = `element ${elementId ?? "–"}`;
+  if (!interior.exact) return `interior value as drawn, ${element}`;
+  return `interior value by the shape functions of ${element} (${interior.elementType})`;
+}
+
 export function cardTemplate(model: CardModel, unpin: () => void): TemplateResult {
   const { report } = model;
   const node = report.nodeId === null ? "–" : String(report.nodeId);
@@ -50,6 +59,7 @@ export function cardTemplate(model: CardModel, unpin: () => void): TemplateResul
     </table>
     <p class="card-place"><span>node <b>${node}</b></span><span>element <b>${report.elementId ?? "–"}</b></span>
       <span class="xyz">${report.point.map((v) => numberText(v, 5)).join(" · ")} ${unitText(model.lengthUnit)}</span></p>
+    ${report.interior ? html`<p class="card-interior">${interiorText(report)}</p>` : null}
     ${model.sounding ? html`<p class="card-sound">${model.sounding}</p>` : null}
     ${model.pinned ? html`<button type="button" class="plain close" aria-label="let go of this place" @click=${unpin}>${icon("close")}</button>` : null}`;
 }
@@ -61,5 +71,6 @@ export function cardSentence(model: CardModel): string {
       ? `${row.label}: no value`
       : `${row.label} ${numberText(row.value)} ${unitText(row.unit)}`,
   );
-  return `node ${model.report.nodeId ?? "none"}, element ${model.report.elementId ?? "none"}: ${values.join(", ")}`;
+  const inside = model.report.interior ? "interior value, " : "";
+  return `${inside}node ${model.report.nodeId ?? "none"}, element ${model.report.elementId ?? "none"}: ${values.join(", ")}`;
 }

@@ -112,7 +112,7 @@ export function paintVrCard(context: Drawing, model: CardModel): void {
   context.fillStyle = C.soft;
   font(context, 34);
   context.fillText(
-    `node ${model.report.nodeId ?? "–"} · element ${model.report.elementId ?? "–"}`,
+    `${model.report.interior ? "inside · " : ""}node ${model.report.nodeId ?? "–"} · element ${model.report.elementId ?? "–"}`,
     26,
     CARD_SIZE.height - 32,
     width - 52,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planes that cut the model, typed, dragged or stepped; the inside they open is hatched, without values.
+// Planes that cut the model, typed, dragged or stepped. The inside they open has the values of the volume elements when
+// the server has these; else it is hatched, without values.
 import { Vector3 } from "three";
 import { MAX_CUTS } from "../../render";
 import {
@@ -13,18 +14,27 @@ import {
   unitText,
 } from "../../ui";
 import type { App } from "../app";
+import { InsideClient } from "../inside-client";
+import { type CapReport, SectionCaps } from "../section-caps";
 import type { CutState } from "../store";
 import type { Feature, Handle } from "./feature";
 
 const AXES: Record<"x" | "y" | "z", CutState["normal"]> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+const SECTIONS = "Sections show the values of the volume elements, from the model file.";
 const corner = new Vector3();
 
 export class Cuts implements Feature, CutActions {
   readonly id = "cuts";
   readonly #app: App;
+  /** Null: the scene is all there is. */
+  readonly #caps: SectionCaps | null;
 
   constructor(app: App) {
     this.#app = app;
+    const client = app.served ? InsideClient.find(app.view.scene.extras.origin ?? [0, 0, 0]) : null;
+    const caps = client && new SectionCaps(app, client);
+    this.#caps = caps;
+    if (caps) app.view.setInsideText(() => caps.insideText);
     app.store.subscribe((state, before) => {
       if (state.cuts !== before.cuts) app.view.applyCuts();
     });
@@ -112,10 +122,14 @@ export class Cuts implements Feature, CutActions {
   section(): Section {
     const on = this.#cuts.filter((cut) => cut.on).length;
     const model = () => ({
-      rows: this.#cuts.map((cut) => ({ cut, ...this.reach(cut.normal) })),
+      rows: this.#cuts.map((cut, i) => ({
+        cut,
+        ...this.reach(cut.normal),
+        section: this.#sections()[i]?.text ?? "",
+      })),
       most: MAX_CUTS,
       lengthUnit: this.#app.view.scene.extras.lengthUnit?.name ?? null,
-      insideText: this.#app.view.insideText,
+      insideText: this.#caps ? SECTIONS : this.#app.view.insideText,
     });
     const summary = on === 0 ? "off" : on === 1 ? "1 plane" : `${on} planes`;
     return { id: this.id, title: "Section", summary, body: () => cutListTemplate(model(), this) };
@@ -154,7 +168,7 @@ export class Cuts implements Feature, CutActions {
         text: "Side that goes",
         buttons: [{ id: "flip", text: "Other", enabled: first !== undefined, press: () => this.flip(0) }],
       },
-      { text: this.#app.view.insideText, buttons: [] },
+      { text: this.#sections()[0]?.text || (this.#caps ? SECTIONS : this.#app.view.insideText), buttons: [] },
     ];
     return { id: this.id, title: "Section", rows };
   }
@@ -225,7 +239,11 @@ export class Cuts implements Feature, CutActions {
     });
   }
 
+  #sections(): CapReport[] {
+    return this.#caps?.reports() ?? [];
+  }
+
   report() {
-    return { cuts: this.#cuts };
+    return { cuts: this.#cuts, sections: this.#caps ? this.#sections() : null };
   }
 }
