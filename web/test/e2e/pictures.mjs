@@ -33,9 +33,11 @@ async function drag(page, dx, dy) {
 }
 
 async function headset(name) {
+  // Each eye gets half of the stage: about as wide as it is high, as in a headset.
+  const [width, height] = [2000, 800];
   const { page, context } = await openPage(browser, server.url, {
-    width: 1600,
-    height: 800,
+    width,
+    height,
     headset: true,
     smooth: true,
   });
@@ -83,7 +85,7 @@ async function headset(name) {
     right.position.set(0.3, 1.2, -0.42);
     right.quaternion.set(...turn(-0.24, 0.24));
     left.position.set(-0.22, 1.02, -0.5);
-    left.quaternion.set(...turn(-0.1, 0.75));
+    left.quaternion.set(...turn(0.62, 0.5));
   });
   // A press counts from the moment the controller is known.
   await until(
@@ -96,8 +98,8 @@ async function headset(name) {
   await page.waitForTimeout(6000);
   // The emulator shows the canvas, as large as it was on the page, in the middle of the window.
   const clip = {
-    x: (1600 - stage.width) / 2,
-    y: (800 - stage.height) / 2,
+    x: (width - stage.width) / 2,
+    y: (height - stage.height) / 2,
     width: stage.width,
     height: stage.height,
   };

@@ -193,6 +193,33 @@ export const vrComfortTests = [
     },
   },
   {
+    name: "vr_bar_under_the_model_carries_it_by_the_trigger_too",
+    async run({ browser, url }) {
+      const { page, context, problems } = await enter(browser, url);
+      const { headset } = await page.evaluate(state);
+      const from = [headset.bar[0] + 0.05, headset.bar[1] + 0.1, headset.bar[2] + 0.4];
+      const by = [0.1, 0.05, 0.1];
+      const carry = async (to) => {
+        await aim(page, "right", from, to);
+        await button(page, "right", "trigger", 1);
+        await frames(page, 3);
+        const before = (await page.evaluate(state)).headset.model;
+        const moved = (v) => v.map((c, i) => c + by[i]);
+        await aim(page, "right", moved(from), moved(to));
+        const after = (await page.evaluate(state)).headset.model;
+        await button(page, "right", "trigger", 0);
+        await frames(page, 3);
+        return [12, 13, 14].map((i) => after[i] - before[i]);
+      };
+      // Beside the bar a trigger takes hold of nothing.
+      assert.deepEqual(await carry([headset.bar[0] + 0.4, headset.bar[1], headset.bar[2]]), [0, 0, 0]);
+      const carried = await carry(headset.bar);
+      for (const [i, v] of by.entries()) assert.ok(Math.abs(carried[i] - v) < 1e-4, `carried by ${carried}`);
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+  {
     name: "vr_panel_turns_the_person_and_comes_along",
     async run({ browser, url }) {
       const { page, context, problems } = await enter(browser, url);
