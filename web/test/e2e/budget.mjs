@@ -7,6 +7,7 @@ import { enterHeadset, openPage, pixelOf, until } from "./harness.mjs";
 import { middle, unfold, viewFrom } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
 import { serve } from "./server.mjs";
+import { aimAtNode, enter } from "./vr-hands.mjs";
 import { watchPage } from "./watch-page.mjs";
 
 const CALLS = 60;
@@ -347,6 +348,33 @@ export const budgetTests = [
       await page.evaluate(() => {
         globalThis.slowBy = 0;
       });
+      assert.deepEqual(problems, []);
+      await context.close();
+    },
+  },
+  {
+    name: "budget_headset_gets_a_smaller_picture_when_frames_are_slow_and_the_same_readings",
+    async run({ browser, url }) {
+      const options = { width: 480, height: 300, before: slowFrames, governed: true };
+      const { page, context, problems } = await enter(browser, url, options);
+      await page.evaluate(() => {
+        globalThis.asked = new Set();
+        const { prototype } = globalThis.XRView;
+        const request = prototype.requestViewportScale;
+        prototype.requestViewportScale = function (scale) {
+          globalThis.asked.add(scale);
+          return request.call(this, scale);
+        };
+      });
+      const id = await aimAtNode(page, "right", 6, 2, 3);
+      const wanted = await until(page, probe, (r) => r?.nodeId === id, `node ${id}`);
+      await page.evaluate(() => {
+        globalThis.slowBy = 60;
+      });
+      const coarse = await until(page, state, (s) => s.governor.level === 4, "the coarsest level");
+      assert.ok(Math.abs(coarse.governor.budgetMs - 1000 / 90) < 6, `${coarse.governor.budgetMs} ms`);
+      assert.ok((await page.evaluate(() => [...globalThis.asked])).includes(0.33));
+      assert.deepEqual(await page.evaluate(probe), wanted);
       assert.deepEqual(problems, []);
       await context.close();
     },
