@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starts the page: ?scene=ADDRESS names the scene, 'scene.glb' beside the page is the default.
 import "./style.css";
+import "./narrow.css";
 import { publishApi } from "./app/api";
 import { Shell } from "./app/shell";
 

@@ -106,7 +106,11 @@ export class App implements ApiSource {
     this.fit();
     const links = this.feature<Links>("links");
     await links.read();
-    this.stage.orbit.onMove(() => links.later());
+    this.stage.orbit.onMove(() => {
+      links.later();
+      // What stands at places of the model follows, also when the window took another size.
+      this.#stale = true;
+    });
     await this.view.edgesCame;
     await pointed;
     await this.#vr.ask();

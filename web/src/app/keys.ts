@@ -3,6 +3,10 @@
 import type { KeyCommand } from "../input/keyboard";
 import type { Actions } from "../ui";
 
+/** 1, -1 or 0: which way an arrow key points. */
+const along = (key: string, up: string, down: string) =>
+  Number(key === `Arrow${up}`) - Number(key === `Arrow${down}`);
+
 /** `pressed`: the model was pressed last, not a control of the page; Tab is then free for results. */
 export function keyCommands(
   actions: Actions,
@@ -36,12 +40,22 @@ export function keyCommands(
       keys: ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
       shown: "← → ↑ ↓",
       text: "to the next node that way",
-      down: (key) =>
-        actions.stepPin(
-          Number(key === "ArrowRight") - Number(key === "ArrowLeft"),
-          Number(key === "ArrowDown") - Number(key === "ArrowUp"),
-        ),
+      down: (key) => actions.stepPin(along(key, "Right", "Left"), along(key, "Down", "Up")),
     },
+    {
+      keys: ["shift+ArrowLeft", "shift+ArrowRight", "shift+ArrowUp", "shift+ArrowDown"],
+      shown: "⇧ ← → ↑ ↓",
+      text: "turn",
+      down: (key) => actions.turn(15 * along(key, "Right", "Left"), 15 * along(key, "Down", "Up")),
+    },
+    {
+      keys: ["ctrl+arrowleft", "ctrl+arrowright", "ctrl+arrowup", "ctrl+arrowdown"],
+      shown: "Ctrl ← → ↑ ↓",
+      text: "move",
+      down: (key) => actions.move(0.08 * along(key, "Right", "Left"), 0.08 * along(key, "Down", "Up")),
+    },
+    { keys: ["PageUp"], shown: "PgUp", text: "nearer", down: () => actions.zoom(0.8) },
+    { keys: ["PageDown"], shown: "PgDn", text: "further", down: () => actions.zoom(1.25) },
     { keys: ["t"], shown: "T", text: "dark, light", down: () => actions.cycleTheme() },
     { keys: ["Escape"], shown: "Esc", text: "let go of the pin", down: () => actions.unpin() },
   ];

@@ -3,6 +3,7 @@
 import type { Actions } from "../ui";
 import type { App } from "./app";
 import type { Limits } from "./features/limits";
+import type { Palette } from "./features/palette";
 import type { Player } from "./player";
 import { addResult, assign, drivenBy, release, setColour, setRange, slotsOf } from "./presentation-doc";
 
@@ -39,10 +40,17 @@ export function makeActions(app: App, player: Player): Actions {
     cycleTheme: () => store().set({ theme: THEMES[store().state.theme] }),
     fit: () => app.fit(),
     view: (name) => app.lookFrom(name),
+    turn: (right, down) => app.stage.orbit.turn((right * Math.PI) / 180, (down * Math.PI) / 180),
+    move: (right, down) => {
+      const { clientWidth, clientHeight } = app.stage.canvas;
+      app.stage.orbit.pan(right * clientWidth, down * clientHeight, clientHeight);
+    },
+    zoom: (scale) => app.stage.orbit.zoom(scale, null),
     goTo: (kind, id) => app.goTo(kind, id),
     unpin: () => app.pin(null),
     stepPin: (right, down) => app.stepPin([right, down]),
     enterVr: () => void app.enterVr(),
+    openPalette: () => app.feature<Palette>("palette").open(),
     openSection: (id, on) => {
       const { open } = store().state;
       if (open.includes(id) !== on) store().set({ open: on ? [...open, id] : open.filter((o) => o !== id) });

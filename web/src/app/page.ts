@@ -173,8 +173,14 @@ export class Page {
       offsetHeight,
       clientHeight,
     );
-    this.#card.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+    this.#place(this.#card, x, y);
     this.say(cardSentence(model));
+  }
+
+  /** Small screens have a place of their own for it. */
+  #place({ style }: HTMLElement, x: number, y: number): void {
+    style.setProperty("--x", `${Math.round(x)}px`);
+    style.setProperty("--y", `${Math.round(y)}px`);
   }
 
   /** The pointer is on the inside that a cut has opened. */
@@ -183,7 +189,7 @@ export class Page {
     if (!at) return;
     this.#inside.textContent = text;
     const x = Math.min(at.x + 18, Math.max(4, this.stageHost.clientWidth - this.#inside.offsetWidth - 4));
-    this.#inside.style.transform = `translate(${Math.round(x)}px, ${Math.round(at.y + 14)}px)`;
+    this.#place(this.#inside, x, at.y + 14);
     this.say(text);
   }
 

@@ -29,9 +29,8 @@ export function attachKeyboard(commands: readonly KeyCommand[]): () => void {
     if (event.key.startsWith("Arrow") && target?.matches("input, summary")) return;
     if (event.key === " " && target?.closest("button, summary, [role=button]")) return;
     const withControl = event.ctrlKey || event.metaKey;
-    const command = withControl
-      ? commands.find((c) => c.keys.includes(chord(event)))
-      : find(event.key, event);
+    const named = event.shiftKey && event.key.startsWith("Arrow") ? `shift+${event.key}` : event.key;
+    const command = withControl ? commands.find((c) => c.keys.includes(chord(event))) : find(named, event);
     if (!command || target?.closest("dialog")) return;
     event.preventDefault();
     if (event.repeat && command.up) return;

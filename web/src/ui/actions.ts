@@ -24,11 +24,19 @@ export interface Actions {
   cycleTheme(): void;
   fit(): void;
   view(name: ViewName): void;
+  /** Turns the camera, degrees to the right and down. */
+  turn(right: number, down: number): void;
+  /** Moves the picture by shares of its size. */
+  move(right: number, down: number): void;
+  /** Distance times this. */
+  zoom(scale: number): void;
   goTo(kind: "node" | "element", id: number): void;
   unpin(): void;
   /** To the next node that way on the screen; the first press takes the pointer's place, or the largest value's. */
   stepPin(right: number, down: number): void;
   enterVr(): void;
+  /** Every function by its words. */
+  openPalette(): void;
   dismissProblem(): void;
   /** Unfolds or folds a section of the page. */
   openSection(id: string, on: boolean): void;

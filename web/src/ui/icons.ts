@@ -22,6 +22,7 @@ const PATHS = {
   mute: svg`<path d="M3 8v4h3l4 3.500v-11L6 8ZM13 8l4 4M17 8l-4 4"/>`,
   headset: svg`<path d="M3 7.500h14v6h-4l-1.500-2h-3L7 13.500H3ZM6 7.500V5.500h8v2"/>`,
   search: svg`<circle cx="9" cy="9" r="5"/><path d="m13 13 4 4"/>`,
+  prompt: svg`<path d="m4 6 4 4-4 4M10 14h6"/>`,
   close: svg`<path d="m5 5 10 10M15 5 5 15"/>`,
   list: svg`<path d="M3 5h14M3 10h14M3 15h14"/>`,
   plus: svg`<path d="M10 4v12M4 10h12"/>`,

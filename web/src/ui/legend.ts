@@ -24,7 +24,7 @@ export interface LegendModel {
   readonly hatch: boolean;
 }
 
-/** Paints one row of pixels after the other, each in the texel the mesh would take there. */
+/** Paints one line of pixels after the other, each in the texel the mesh would take there; a wide canvas lies. */
 export function paintLegend(canvas: HTMLCanvasElement, palette: Palette): void {
   const height = Math.max(1, Math.round(canvas.clientHeight * window.devicePixelRatio));
   const width = Math.max(1, Math.round(canvas.clientWidth * window.devicePixelRatio));
@@ -33,16 +33,27 @@ export function paintLegend(canvas: HTMLCanvasElement, palette: Palette): void {
   const context = canvas.getContext("2d");
   if (!context) return;
   const pixels = context.createImageData(width, height);
+  const lies = width > height;
   for (let y = 0; y < height; ++y) {
-    const from = 4 * texelOf(1 - (y + 0.5) / height, palette);
-    for (let x = 0; x < width; ++x)
+    for (let x = 0; x < width; ++x) {
+      const from = 4 * texelOf(lies ? (x + 0.5) / width : 1 - (y + 0.5) / height, palette);
       pixels.data.set(palette.texels.subarray(from, from + 4), 4 * (y * width + x));
+    }
   }
   context.putImageData(pixels, 0, 0);
 }
 
 const css = (rgb: Rgb) => `background-color: rgb(${rgb[0]} ${rgb[1]} ${rgb[2]})`;
-const percent = (t: number) => `bottom: ${(t * 100).toFixed(3)}%`;
+/** Along the scale, whichever way it lies. */
+const percent = (t: number) => `--at: ${(t * 100).toFixed(3)}%`;
+/** Whether a label goes where there is room for four to six: even steps, and both ends stay. */
+export function isSpare(index: number, count: number): boolean {
+  const last = count - 1;
+  const step = last <= 5 ? 1 : last % 3 === 0 ? last / 3 : Math.ceil(last / 4);
+  return index !== last && (index % step !== 0 || last - index < step);
+}
+/** Small screens begin with the scale alone. */
+const roomy = () => matchMedia("(min-width: 821px)").matches;
 
 const MODES: readonly [RangeMode, string][] = [
   ["auto", "this step"],
@@ -165,7 +176,7 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
       </div>
       <ol class="legend-labels" aria-label="values">
         ${limitAt === null ? null : html`<li class="limit" .style=${percent(limitAt)}>${numberText(shown.limit)} ${limitWord(shown)}</li>`}
-        ${positions.filter((t) => limitAt === null || Math.abs(t - limitAt) > 0.03).map((t) => html`<li .style=${percent(t)}>${texts[positions.indexOf(t)]}</li>`)}
+        ${positions.map((t, i) => (limitAt !== null && Math.abs(t - limitAt) <= 0.03 ? null : html`<li class=${isSpare(i, positions.length) ? "spare" : ""} .style=${percent(t)}>${texts[i]}</li>`))}
       </ol>
     </div>
     <ul class="legend-special">
@@ -175,9 +186,11 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
     </ul>
     ${limit && limitAt === null ? html`<p class="legend-note">limit ${numberText(shown.limit)}: ${limit.above ? "above" : "below"} this range</p>` : null}
     ${note === null ? null : html`<p class="legend-note legend-warning">${note}</p>`}
-    ${settings(model, actions)}
-    <p class="legend-note">${originText(shown.result)}</p>
-    <p class="legend-note">${model.deformText}</p>
+    <details class="legend-more" ?open=${roomy()}><summary>range and colours</summary>
+      ${settings(model, actions)}
+      <p class="legend-note">${originText(shown.result)}</p>
+      <p class="legend-note">${model.deformText}</p>
+    </details>
     ${model.shading ? html`<p class="legend-note">shaded: colours on the model are darker than here</p>` : null}
   </aside>`;
 }

@@ -43,6 +43,7 @@ export function topBarTemplate(model: TopBarModel, actions: Actions): TemplateRe
     <span class="mark" aria-hidden="true"><i></i><i></i><i></i></span>
     <div class="title"><h1>${model.title}</h1><p>${model.triangles.toLocaleString("en")} triangles · ${unit}</p></div>
     ${search(actions)}
+    <button type="button" class="tool" aria-label="commands" title="commands  Ctrl K" @click=${() => actions.openPalette()}>${icon("prompt")}</button>
     <div class="tools" role="group" aria-label="View">
       <button type="button" class="tool" aria-label="fit" title="fit  F" @click=${() => actions.fit()}>${icon("fit")}</button>
       ${toggle("mesh", "element edges", "E", state.edges, () => actions.toggle("edges"))}

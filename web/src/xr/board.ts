@@ -2,6 +2,8 @@
 // A flat board in the room, drawn with a 2D canvas: system fonts, one draw call, its widgets hit by position.
 import { CanvasTexture, LinearFilter, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace } from "three";
 
+export { BOARD_COLOURS } from "./board-colours";
+
 export interface BoardRect {
   readonly x: number;
   readonly y: number;
@@ -18,16 +20,6 @@ export interface BoardButton extends BoardRect {
 }
 
 export const BOARD_FONT = 'system-ui, "Segoe UI", "Noto Sans", "DejaVu Sans", sans-serif';
-export const BOARD_COLOURS = {
-  panel: "#182025",
-  line: "#33414a",
-  ink: "#eef2f3",
-  soft: "#a5b4bc",
-  accent: "#74c9c6",
-  accentInk: "#0d2226",
-  hover: "#24323a",
-  alarm: "#ff7ac4",
-} as const;
 
 export class Board {
   readonly mesh: Mesh<PlaneGeometry, MeshBasicMaterial>;

@@ -39,7 +39,7 @@ export function button(
     ink.hover === spec.id && enabled ? C.ink : C.line,
   );
   roundRect(ink.context, inset, 13, fill);
-  const colour = spec.on ? C.accentInk : enabled ? C.ink : C.line;
+  const colour = spec.on ? C.accentInk : enabled ? C.ink : C.faint;
   words(ink, spec.text, spec.x + spec.width / 2, spec.y + spec.height / 2, 27, colour, {
     align: "center",
     bold: spec.on ?? false,

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { listen, openPage, until } from "./harness.mjs";
 import { goTo } from "./keep.mjs";
-import { unfold } from "./look.mjs";
+import { unfold, unfoldAll } from "./look.mjs";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const state = () => window.feelem.state();
@@ -31,25 +31,36 @@ async function faults(page) {
   return found;
 }
 
-async function unfoldAll(page) {
-  const ids = await page
-    .locator("details[data-section]")
-    .evaluateAll((all) => all.map((d) => d.dataset.section));
-  for (const id of ids) await unfold(page, id);
-  return ids;
+/** By the palette, which every size of the page has. */
+async function pinAt(page, id) {
+  await page.keyboard.press("Control+k");
+  await page.getByRole("combobox", { name: "command" }).fill(String(id));
+  await page.keyboard.press("Enter");
+  await until(
+    page,
+    () => window.feelem.lastProbe()?.nodeId,
+    (node) => node === id,
+    `node ${id}`,
+  );
 }
 
 export const accessTests = [
-  ...[false, true].map((dark) => ({
-    name: `axe_finds_nothing_serious_${dark ? "dark" : "light"}`,
+  ...[
+    ["light", {}],
+    ["dark", { dark: true }],
+    ["light_at_320_pixels", { width: 320, height: 640 }],
+    ["dark_at_320_pixels", { width: 320, height: 640, dark: true }],
+  ].map(([name, options]) => ({
+    name: `axe_finds_nothing_serious_${name}`,
     async run({ browser, serveTiny }) {
       const { url, close } = await serveTiny({ bars: 2, times: 3 });
-      const { page, context } = await openPage(browser, url, { dark });
+      const { page, context } = await openPage(browser, url, options);
       await page.keyboard.press("c");
       const id = await page.evaluate(() => window.feelem.scene().results[0].values[0].max.node);
-      await goTo(page, id);
+      await pinAt(page, id);
       await page.keyboard.press("p");
       assert.ok((await unfoldAll(page)).length >= 9);
+      await page.evaluate(() => document.querySelector(".legend-more").setAttribute("open", ""));
       await page.locator(".legend-outside summary").click();
       await page.waitForTimeout(400);
       assert.deepEqual(await faults(page), []);
@@ -67,7 +78,7 @@ export const accessTests = [
       assert.ok(wide <= 320, `${wide} pixels wide`);
       const box = await page.locator(".area-stage canvas").boundingBox();
       assert.ok(box.width >= 180 && box.height >= 150, JSON.stringify(box));
-      for (const name of ["fit", "go to", "play", "undeformed"]) {
+      for (const name of ["fit", "commands", "play", "undeformed"]) {
         const at = await page.getByRole("button", { name, exact: true }).first().boundingBox();
         assert.ok(at && at.x >= 0 && at.x + at.width <= 320, `${name} is at ${JSON.stringify(at)}`);
         assert.ok(at.width >= 24 && at.height >= 24);

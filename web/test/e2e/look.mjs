@@ -13,6 +13,15 @@ export async function unfold(page, id) {
   return section;
 }
 
+/** Gives the ids of the sections. */
+export async function unfoldAll(page) {
+  const ids = await page
+    .locator("details[data-section]")
+    .evaluateAll((all) => all.map((d) => d.dataset.section));
+  for (const id of ids) await unfold(page, id);
+  return ids;
+}
+
 /** The stage seen from above or from the front, in plain view. */
 export async function viewFrom(page, axis) {
   await page

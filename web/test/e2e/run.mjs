@@ -7,6 +7,7 @@ import { tinyScene } from "../support/tiny-scene.ts";
 import { accessTests } from "./access.mjs";
 import { budgetTests } from "./budget.mjs";
 import { claimTests } from "./claims.mjs";
+import { contrastTests } from "./contrast.mjs";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { keepTests } from "./keep.mjs";
@@ -19,6 +20,7 @@ import { programTests } from "./program.mjs";
 import { reviewTests } from "./review.mjs";
 import { serve } from "./server.mjs";
 import { shareTests } from "./share.mjs";
+import { smallTests } from "./small.mjs";
 import { timeTests } from "./time.mjs";
 import { touchTests } from "./touch.mjs";
 import { variantTests } from "./variants.mjs";
@@ -68,6 +70,8 @@ for (const { name, run, skip } of [
   ...keepTests,
   ...shareTests,
   ...accessTests,
+  ...contrastTests,
+  ...smallTests,
   ...vrTests,
   ...vrRowTests,
   ...vrComfortTests,
