@@ -202,7 +202,7 @@ export const budgetTests = [
     name: "budget_two_hundred_parts_with_edges_ghost_clear_parts_and_both_eyes_stay_within_the_calls",
     async run({ browser, serveTiny }) {
       const { url, close } = await serveTiny({ bars: 200, cells: [2, 1, 1] });
-      const options = { width: 480, height: 300, headset: true, before: watchPage };
+      const options = { width: 480, height: 620, headset: true, before: watchPage };
       const { page, context, problems } = await openPage(browser, url, options);
       await page.keyboard.press("u");
       await page.evaluate(() => document.querySelector("canvas").focus());

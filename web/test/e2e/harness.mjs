@@ -112,7 +112,8 @@ export async function openPage(browser, url, options = {}) {
   page.on("console", (message) => {
     if (message.type() === "error") problems.push(message.text());
   });
-  await page.goto(smooth ? url : `${url}?antialias=0${governed ? "" : "&governor=0"}`);
+  const drawing = [smooth ? [] : "antialias=0", governed ? [] : "governor=0"].flat().join("&");
+  await page.goto(drawing ? url.replace(/(?=#|$)/, `?${drawing}`) : url);
   if (!options.early) await page.evaluate(() => window.feelem.ready);
   return { page, context, foreign, problems };
 }
