@@ -255,10 +255,12 @@ export class VrSession {
     const { model } = this.#app.view;
     const metres = model.largestSide * new Vector3().setFromMatrixScale(model.group.matrix).x;
     if (this.#stand) this.#setModel(onTable(this.#stand, sphere, TABLE_SIZE / Math.max(metres, 1e-9)));
+    this.#vignette.jump();
   }
 
   putAtTrueSize(): void {
     if (this.#stand) this.#setModel(onTable(this.#stand, this.#app.view.model.sphere(), 1));
+    this.#vignette.jump();
   }
 
   #setModel(matrix: Matrix4): void {

@@ -49,6 +49,11 @@ export class VrVignette {
     scene.add(this.#mesh);
   }
 
+  /** What comes next is another place, not a way there. */
+  jump(): void {
+    this.#known = false;
+  }
+
   /** How dark the edge of sight is, 0..1. */
   get alpha(): number {
     return this.#alpha;

@@ -249,9 +249,9 @@ export const vrRowTests = [
       await aimAtNode(page, "right", 6, 2, 3);
       // Every tab is painted once.
       const { panelPages } = await page.evaluate(state);
-      for (const tab of ["results", ...panelPages]) {
+      for (const tab of [...panelPages, "results"]) {
+        await pressPanel(page, `tab:${tab}`);
         await until(page, state, (s) => s.headset.page === tab, `the tab ${tab}`);
-        await press(page, "right", "b-button");
       }
       await aimAtNode(page, "right", 6, 2, 3);
       const { headset } = await until(page, state, (s) => s.headset.card, "the card");

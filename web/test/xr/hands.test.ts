@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rules of hands in the room: when a resting pinch is offered a note, how fast the world moves, where a palm looks.
-import { Matrix4, Vector3 } from "three";
+import { Matrix4, Scene, Vector3 } from "three";
 import { expect, test } from "vitest";
 import { OFFER_SECONDS, PinchRest, REST_SECONDS } from "../../src/xr/pinch-rest";
 import { palmOf } from "../../src/xr/vr-menu";
-import { wayAbout } from "../../src/xr/vr-vignette";
+import { VrVignette, wayAbout } from "../../src/xr/vr-vignette";
 
 const here = new Vector3(0.1, 1, -1);
 
@@ -50,4 +50,26 @@ test("palm_looks_away_from_the_back_of_the_hand", () => {
 
   expect(flat.y).toBeCloseTo(-1, 9);
   expect(turned.y).toBeCloseTo(1, 9);
+});
+
+test("vignette_heeds_speed_and_size_and_no_jump", () => {
+  const vignette = new VrVignette(new Scene());
+  const head = new Matrix4().setPosition(0, 1.6, 0);
+  const at = (x: number) => new Matrix4().makeTranslation(x, 0, 0);
+  const world = { radius: 4, distance: 2 };
+  const thing = { radius: 0.4, distance: 1.3 };
+  const after = (x: number, size: typeof world, strength = 1) => {
+    vignette.update(0.1, head, at(x), size, strength);
+    return vignette.alpha;
+  };
+
+  expect(after(0, world)).toBe(0);
+  expect(after(0.02, world)).toBe(0);
+  expect(after(0.5, thing)).toBe(0);
+  vignette.jump();
+  expect(after(5, world)).toBe(0);
+  expect(after(5.1, world, 0)).toBe(0);
+  expect(after(5.2, world)).toBeCloseTo(2 / 3, 9);
+  expect(after(5.3, world, 0.5)).toBeCloseTo(0.5, 9);
+  expect(after(5.3, world)).toBe(0);
 });
