@@ -4,7 +4,7 @@
 //     node bench/page.mjs [--cells 354] [--steps 100] [--program ../build/release/bin/feelem] [--work ../build/bench]
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { cpus, release } from "node:os";
+import { cpus, loadavg, release } from "node:os";
 import { join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
@@ -105,7 +105,7 @@ async function during(page, act) {
   }, before);
 }
 
-async function openWatched(browser, url, scene) {
+async function openWatched(browser, url, scene, query = "") {
   const context = await browser.newContext({
     viewport: { width: Number(options.width), height: Number(options.height) },
   });
@@ -115,7 +115,7 @@ async function openWatched(browser, url, scene) {
   const client = await context.newCDPSession(page);
   const problems = [];
   page.on("pageerror", (error) => problems.push(error.message));
-  await page.goto(`${url}?antialias=0&scene=${scene}`, { waitUntil: "commit" });
+  await page.goto(`${url}?antialias=0&scene=${scene}${query}`, { waitUntil: "commit" });
   return { page, client, context, problems };
 }
 
@@ -318,10 +318,10 @@ async function callsOfAFrame(page) {
   );
 }
 
-async function withScene(browser, name, model, measure) {
+async function withScene(browser, name, model, measure, query) {
   const scene = sceneOf(name, model);
   const server = await serveFiles(resolve(options.work), RATE);
-  const opened = await openWatched(browser, server.url, `${name}.glb`);
+  const opened = await openWatched(browser, server.url, `${name}.glb`, query);
   try {
     const figures = await measure(opened, server.asked);
     if (opened.problems.length > 0) throw new Error(opened.problems.join("; "));
@@ -367,10 +367,22 @@ async function manyParts(opened, asked) {
   };
 }
 
+const [loadBefore] = loadavg();
 const browser = await launch();
 const { cells, steps } = { cells: Number(options.cells), steps: Number(options.steps) };
 const one = await withScene(browser, `sheet-${cells}-${steps}`, { cells, steps }, large);
 const many = await withScene(browser, `patches-${cells}-2`, { cells, steps: 2, parts: 15 }, manyParts);
+const ungoverned = await withScene(
+  browser,
+  `sheet-${cells}-${steps}`,
+  { cells, steps },
+  async ({ page }) => {
+    await page.waitForFunction(() => globalThis.feelem);
+    await page.evaluate(() => globalThis.feelem.ready);
+    return { frames: await measureFrames(page) };
+  },
+  "&governor=0",
+);
 const huge = await withScene(browser, "sheet-570-1", { cells: 570, steps: 1 }, async (opened, asked) => {
   const loading = await measureLoading(opened.page, opened.client, asked);
   return { loading, picking: await measurePicking(opened.page) };
@@ -390,11 +402,13 @@ const git = (...given) => execFileSync("git", ["-C", ROOT, ...given], { encoding
 const report = {
   what: `the page with a sheet of ${one.triangles} triangles, 3 results at ${steps} steps; then in ${many.parts} parts`,
   machine: `${processor}, ${cpus().length} cores, Linux ${release()}; Chromium, SwiftShader; ${RATE / MB} MB/s`,
+  // What else the machine did: times stretch with it, bytes do not.
+  loadAverage: Math.round(10 * loadBefore) / 10,
   commit: git("describe", "--always", "--dirty"),
   command: `node web/bench/page.mjs ${process.argv.slice(2).join(" ")}`.trim(),
   budget: BUDGET,
   within,
-  large: one,
+  large: { ...one, framesUngoverned: ungoverned.frames },
   manyParts: many,
   above200MB: huge,
 };
