@@ -281,6 +281,7 @@ export class App implements ApiSource {
 
   #reshown(): void {
     this.overlay.renew();
+    this.#vr.renew();
     this.refreshPage();
   }
 

@@ -50,6 +50,11 @@ export class VrEntry {
     return this.#stay?.report() ?? null;
   }
 
+  /** What is shown has come, maybe some time after it was asked for. */
+  renew(): void {
+    this.#stay?.renew();
+  }
+
   #left(): void {
     this.#stay = null;
     const { senses, stage, store } = this.#app;

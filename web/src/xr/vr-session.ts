@@ -233,6 +233,11 @@ export class VrSession {
     this.#walked ??= 0;
   }
 
+  /** What the boards show has changed. */
+  renew(): void {
+    this.#boards.renew();
+  }
+
   /** What tests and scripts may know of the room. */
   report() {
     return {

@@ -152,8 +152,13 @@ export const legendTests = [
         const points = await gridOf(page, 40, 60);
         const drawn = await pixelsOf(page, png, points);
         let compared = 0;
+        const beside = await probedAt(
+          page,
+          points.map(([x, y]) => [x + 1, y]),
+        );
         for (const [i, report] of (await probedAt(page, points)).entries()) {
-          if (!report) continue;
+          // At the very rim it is the card's rounding that says whether a pixel is drawn.
+          if (!report || !beside[i]) continue;
           const { value } = report.results[0];
           const place = placeOf(value, look);
           assert.ok(

@@ -36,9 +36,12 @@ export async function chooseColours(page, { map, bands, scale, lo, hi }) {
   await settled(page);
 }
 
-/** Pixel centres of the stage on a grid, as [x, y] of the page. */
+/** Pixel centres of the stage on a grid, as [x, y] of the page; none where the axes stand before the model. */
 export async function gridOf(page, columns, rows) {
   const box = await page.locator(".area-stage canvas").boundingBox();
+  const axes = await page.locator(".triad").boundingBox();
+  const isFree = ([x, y]) =>
+    x < axes.x - 2 || y < axes.y - 2 || x > axes.x + axes.width + 2 || y > axes.y + axes.height + 2;
   const points = [];
   for (let j = 0; j < rows; ++j)
     for (let i = 0; i < columns; ++i)
@@ -46,7 +49,7 @@ export async function gridOf(page, columns, rows) {
         Math.floor(box.x + (box.width * (i + 0.5)) / columns),
         Math.floor(box.y + (box.height * (j + 0.5)) / rows),
       ]);
-  return points;
+  return points.filter(isFree);
 }
 
 /** What the page says of each of these pixels when it is pointed at its middle; null beside the model. */
