@@ -142,6 +142,10 @@ export class InsideClient {
   }
 }
 
+/** The float32 that the shortest decimal stands for. */
+const floatOf = (number: number | null | undefined) =>
+  number === null || number === undefined ? null : Math.fround(number);
+
 export function answerOf(answer: PointAnswer, keys: readonly string[]): InteriorAnswer {
   const weights = answer.weights ?? [];
   const nodes = answer.nodes ?? [];
@@ -157,8 +161,8 @@ export function answerOf(answer: PointAnswer, keys: readonly string[]): Interior
     values: new Map(
       keys.map((key, i) => {
         const read = answer.results[i];
-        const nodeValue = read?.elemental ? null : (read?.nodeValues[best] ?? null);
-        return [key, { value: read?.value ?? null, nodeValue }];
+        const nodeValue = read?.elemental ? null : floatOf(read?.nodeValues[best]);
+        return [key, { value: floatOf(read?.value), nodeValue }];
       }),
     ),
   };

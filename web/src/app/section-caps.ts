@@ -6,7 +6,8 @@ import type { InsideMesh } from "../render";
 import type { SceneResult, SectionData } from "../scene";
 import { numberText, unitText } from "../ui";
 import type { App } from "./app";
-import { type AskedField, type AskedShape, type InsideClient, isGivenUp } from "./inside-client";
+import { type InsideClient, isGivenUp } from "./inside-client";
+import { askedFields, fieldOf, ownersOf, partOfTriangle, shapeOf, subjectOf } from "./inside-subject";
 import type { Shown } from "./model-view";
 import type { CutState } from "./store";
 
@@ -50,30 +51,10 @@ export class SectionCaps {
     });
   }
 
-  /** What is seen, if the server can know it; else why not. */
-  #subject(): { shown: Shown; field: AskedField; shape: AskedShape | null } | { reason: string } {
-    const { view, store } = this.#app;
-    if (!view.ready) return { reason: "Section not yet computed: results are being read." };
-    const shown = view.shownAs("colour");
-    if (!shown?.result) return { reason: "The section is coloured once a result is seen." };
-    if (shown.result.minus) return { reason: "A difference of steps is known on the skin only: no section." };
-    const { re, im } = view.swing;
-    if (store.state.playing) return { reason: "Section not yet computed: it waits until nothing moves." };
-    if (im !== 0)
-      return { reason: "The section is computed for a shape at rest, not in the middle of a turn." };
-    return { shown, field: fieldOf(shown.result, shown), shape: this.#shape(re) };
-  }
-
-  #shape(factor: number): AskedShape | null {
-    const result = this.#app.view.shapeResult;
-    return factor !== 0 && result ? { result: result.id, factor } : null;
-  }
-
   #keyOf(cut: CutState): { key: string; reason: string | null } {
-    const subject = this.#subject();
+    const subject = subjectOf(this.#app, "Section");
     if ("reason" in subject) return { key: `none ${subject.reason}`, reason: subject.reason };
-    const { field, shape } = subject;
-    const { step } = this.#app.store.state;
+    const { field, shape, step } = subject;
     return { key: JSON.stringify([cut.normal, cut.offset, field, step, shape]), reason: null };
   }
 
@@ -118,11 +99,11 @@ export class SectionCaps {
   }
 
   async #ask(index: number, cap: Cap, cut: CutState): Promise<void> {
-    const subject = this.#subject();
+    const subject = subjectOf(this.#app, "Section");
     if ("reason" in subject) return;
-    const { step } = this.#app.store.state;
+    const { field, shape, step } = subject;
     try {
-      const data = await this.#client.section(`cut${index}`, cut, subject.field, step, subject.shape);
+      const data = await this.#client.section(`cut${index}`, cut, field, step, shape);
       if (this.#caps[index] !== cap) return;
       cap.drawn = this.#draw(data, cut, subject.shown.key);
     } catch (error) {
@@ -136,9 +117,8 @@ export class SectionCaps {
     const { view } = this.#app;
     const [x, y, z] = view.scene.extras.origin ?? [0, 0, 0];
     const offset = cut.offset - cut.normal[0] * x - cut.normal[1] * y - cut.normal[2] * z;
-    const part = ownersOf(this.#app, data);
-    const owners = new Uint16Array(data.values.length);
-    for (let i = 0; i < data.indices.length; ++i) owners[data.indices[i] ?? 0] = part(Math.floor(i / 3));
+    const part = partOfTriangle(this.#app, data);
+    const owners = ownersOf(this.#app, data);
     const mesh = view.model.addInside({ ...data, owners, normal: cut.normal });
     return {
       plane: { normal: cut.normal, offset },
@@ -180,12 +160,12 @@ export class SectionCaps {
   }
 
   async #fill(slot: string, cap: Cap, cut: CutState, shown: Shown, result: SceneResult): Promise<void> {
-    const { view, store } = this.#app;
+    const { store } = this.#app;
     const drawn = cap.drawn;
     if (!drawn) return;
     try {
-      const shape = this.#shape(view.swing.re);
-      const data = await this.#client.section(slot, cut, fieldOf(result, shown), store.state.step, shape);
+      const asked = [fieldOf(result, shown), store.state.step, shapeOf(this.#app)] as const;
+      const data = await this.#client.section(slot, cut, ...asked);
       // The same plane through the same elements has the same vertices; what moved meanwhile has not.
       const same = data.values.length === drawn.data.values.length;
       if (same && this.#caps.includes(cap)) drawn.values.set(shown.key, data.values);
@@ -204,17 +184,11 @@ export class SectionCaps {
     clearTimeout(this.#placeTimer);
     if (!place) return;
     this.#placeTimer = window.setTimeout(async () => {
-      const fields = new Map(
-        view.shown.flatMap((shown): [string, AskedField][] =>
-          shown.result && !shown.result.minus && shown.result.values.some((v) => v.step === store.state.step)
-            ? [[shown.key, fieldOf(shown.result, shown)]]
-            : [],
-        ),
-      );
+      const fields = askedFields(this.#app);
       const origin = view.scene.extras.origin ?? [0, 0, 0];
       const at = place.point.map((v, axis) => v + (origin[axis] ?? 0));
       try {
-        const shape = this.#shape(view.swing.re);
+        const shape = shapeOf(this.#app);
         place.exact = await this.#client.point("place", at, fields, store.state.step, shape);
         this.#app.invalidate();
       } catch (error) {
@@ -250,16 +224,4 @@ export class SectionCaps {
     const open = this.reports().find((report) => report.state === "waiting" || report.state === "none");
     return open ? `Inside the material. ${open.text}` : "Inside the material: no value here.";
   }
-}
-
-function fieldOf(result: SceneResult, shown: Shown): AskedField {
-  return { result: result.id, component: shown.componentIndex };
-}
-
-/** The scene's part of each triangle. */
-function ownersOf(app: App, data: SectionData): (triangle: number) => number {
-  const byModel = new Map<number, number>();
-  for (const [i, { info }] of app.view.scene.parts.entries())
-    if (info.kind === "solid") byModel.set(info.modelPart ?? info.id, i);
-  return (triangle) => byModel.get(data.parts[triangle] ?? -1) ?? 0;
 }

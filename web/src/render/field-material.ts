@@ -111,9 +111,12 @@ export function setCutUniforms(uniforms: Uniforms, planes: readonly CutPlane[]):
 
 export { set as setUniform };
 
-/** One of the skin's two passes: what is shown, or what is clear. */
+/** What cuts it not: no plane of its own (the skin), or none and both its sides are seen (a surface inside). */
+export const OWN_PLANE = { skin: -1, surface: -2 } as const;
+
+/** One of the skin's two passes, what is shown or what is clear; or what lies in both. */
 export class FieldMaterial extends ShaderMaterial {
-  constructor(uniforms: Uniforms, pass: "shown" | "clear") {
+  constructor(uniforms: Uniforms, pass: keyof typeof PASS) {
     const clear = pass === "clear";
     super({
       vertexShader: FIELD_VERTEX,
@@ -128,7 +131,7 @@ export class FieldMaterial extends ShaderMaterial {
     this.uniforms = {
       ...uniforms,
       pass: { value: PASS[pass] },
-      ownPlane: { value: -1 },
+      ownPlane: { value: OWN_PLANE.skin },
       opacity: { value: clear ? 0.22 : 1 },
     };
   }
@@ -149,7 +152,7 @@ export class EdgeMaterial extends ShaderMaterial {
       ...uniforms,
       ...(still ? { factor: { value: 0 }, factorIm: { value: 0 } } : {}),
       pass: { value: PASS.both },
-      ownPlane: { value: -1 },
+      ownPlane: { value: OWN_PLANE.skin },
       colour: { value: new Color(colour) },
       opacity: { value: 0.5 },
     };

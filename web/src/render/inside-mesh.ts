@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles of the inside, drawn with the skin's colours: same palette, range, parts and planes.
 import { BufferAttribute, BufferGeometry, Mesh } from "three";
-import { FieldMaterial, setUniform, type Uniforms } from "./field-material";
+import { FieldMaterial, OWN_PLANE, setUniform, type Uniforms } from "./field-material";
 
 export interface InsideTriangles {
   /** Model units minus origin. */
@@ -11,9 +11,12 @@ export interface InsideTriangles {
   readonly values: Float32Array;
   /** Index of the drawn part of each vertex. */
   readonly owners: Uint16Array;
-  /** Where all triangles look; null: each as it is. */
+  /** Where all triangles of a section look; null: of a surface, which bends and is seen through clear parts. */
   readonly normal: readonly [number, number, number] | null;
 }
+
+/** What a surface keeps of its light where it turns away. */
+const SURFACE_SHADE = 0.35;
 
 export class InsideMesh {
   readonly mesh: Mesh<BufferGeometry, FieldMaterial>;
@@ -42,11 +45,15 @@ export class InsideMesh {
     } else geometry.computeVertexNormals();
     // Already where the shape is drawn: factors of displacement find nothing to move.
     geometry.setAttribute("displacement", new BufferAttribute(new Float32Array(3 * count), 3));
-    this.mesh = new Mesh(geometry, new FieldMaterial(uniforms, "shown"));
+    const { normal } = triangles;
+    // A surface has one value, so that shade tells its form and no colour.
+    const own = normal ? uniforms : { ...uniforms, shadeFloor: { value: SURFACE_SHADE } };
+    this.mesh = new Mesh(geometry, new FieldMaterial(own, normal ? "shown" : "both"));
+    if (!normal) this.lieIn(OWN_PLANE.surface);
     this.mesh.frustumCulled = false;
   }
 
-  /** The plane that it lies in does not cut it; -1: all do. */
+  /** The plane that it lies in does not cut it. */
   lieIn(plane: number): void {
     setUniform(this.mesh.material.uniforms, "ownPlane", plane);
   }

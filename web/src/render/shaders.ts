@@ -161,7 +161,7 @@ vec3 withLines(vec3 colour, float t) {
 void main() {
 #ifdef CUT
   if (cutAway(vPlace)) discard;
-  if (!gl_FrontFacing && vSolid > 0.5) {
+  if (!gl_FrontFacing && vSolid > 0.5 && ownPlane == -1) {
     gl_FragColor = capColour();
     return;
   }

@@ -10,6 +10,7 @@ export { type Handle, handlesTemplate } from "./handles";
 export { type HistoryLine, type HistoryModel, historyTemplate } from "./history-plot";
 export { type HotListModel, type HotRow, hotListTemplate } from "./hot-list";
 export type { IconName } from "./icons";
+export { type InsideActions, type InsideFormModel, insideTemplate } from "./inside-form";
 export { type LegendModel, legendTemplate, paintLegend } from "./legend";
 export { type LimitChange, type LimitRow, limitListTemplate } from "./limit-list";
 export { type ListeningModel, listeningTemplate } from "./listening-form";

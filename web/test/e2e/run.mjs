@@ -10,6 +10,7 @@ import { claimTests } from "./claims.mjs";
 import { contrastTests } from "./contrast.mjs";
 import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
+import { insideTests } from "./inside.mjs";
 import { keepTests } from "./keep.mjs";
 import { lanTests } from "./lan.mjs";
 import { legendTests } from "./legend.mjs";
@@ -79,6 +80,7 @@ for (const { name, run, skip } of [
   ...vrTouchTests,
   ...touchTests,
   ...programTests,
+  ...insideTests,
   ...variantTests,
   ...reviewTests,
   ...lanTests,

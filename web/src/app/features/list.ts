@@ -10,6 +10,7 @@ import { Difference } from "./difference";
 import type { Feature } from "./feature";
 import { History } from "./history";
 import { HotSpots } from "./hot-spots";
+import { Inside } from "./inside";
 import { Limits } from "./limits";
 import { Links } from "./links";
 import { Listening } from "./listening";
@@ -29,6 +30,7 @@ export function makeFeatures(app: App): readonly Feature[] {
     new HotSpots(app),
     new Parts(app),
     new Cuts(app),
+    new Inside(app),
     new History(app),
     new Listening(app),
     new Calibration(app),
