@@ -23,7 +23,7 @@ const TOLD_BY_LIGHTNESS: ReadonlySet<string> = new Set(["cividis", "cool_warm"])
 const PASSED_BY_MS = 120;
 const scratch = new Vector3();
 const SKIN_ONLY =
-  "Inside the material: this scene has no volume elements, so there is no value here. Open the model file with feelem view for coloured sections.";
+  "Inside the material: this scene has no volume elements, so no value is here. Open the model file for values.";
 
 /** A result of the presentation with its values and range at the step that is shown. */
 export interface Shown extends Presented {
