@@ -64,7 +64,7 @@ export async function aim(page, hand, from, to) {
     },
     { hand, from, to },
   );
-  await frames(page, 3);
+  await frames(page, 2);
 }
 
 export const button = (page, hand, name, value) =>
@@ -105,9 +105,9 @@ export async function panelButton(page, id, of = "panel") {
 export async function pressPanel(page, id, hand = "right") {
   await aim(page, hand, [hand === "right" ? 0.1 : -0.1, 1.3, -0.1], await panelButton(page, id));
   await button(page, hand, "trigger", 1);
-  await frames(page, 3);
+  await frames(page, 2);
   await button(page, hand, "trigger", 0);
-  await frames(page, 3);
+  await frames(page, 2);
 }
 
 /** The turn that takes (0,0,-1) to the direction from one point to another. */
@@ -136,13 +136,13 @@ export async function hand(page, side, from, to) {
     },
     { side, from, turn: turnTowards(from, to) },
   );
-  await frames(page, 4);
+  await frames(page, 2);
 }
 
 /** Closes (1) or opens (0) thumb and index finger of a bare hand. */
 export async function pinch(page, side, on) {
   await page.evaluate(({ side, on }) => window.headset.hands[side].updatePinchValue(on), { side, on });
-  await frames(page, 4);
+  await frames(page, 2);
 }
 
 /** Points at a button of the panel with a bare hand and pinches. */
@@ -251,19 +251,19 @@ export async function usePinches(page) {
         turn: turnTowards(eyes, await unwalked(to)),
         at,
       });
-      await frames(page, 3);
+      await frames(page, 2);
       await page.evaluate((name) => globalThis.pinches.start(name), name);
-      await frames(page, 4);
+      await frames(page, 2);
     },
     /** Metres from where the pinch began. */
     async move([x, y, z], name = "right") {
       const at = [side(name) + x, 1.1 + y, -0.4 + z];
       await page.evaluate(({ name, at }) => globalThis.pinches.move(name, at), { name, at });
-      await frames(page, 4);
+      await frames(page, 2);
     },
     async end(name = "right") {
       await page.evaluate((name) => globalThis.pinches.end(name), name);
-      await frames(page, 4);
+      await frames(page, 2);
     },
     async press(id) {
       await this.begin(await panelButton(page, id));
