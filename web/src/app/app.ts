@@ -67,6 +67,8 @@ export class App implements ApiSource {
     this.store = new Store(firstState(scene));
     this.view = new ModelView(scene, this.store, () => this.#reshown());
     this.stage.holder.add(this.view.model.group);
+    this.stage.canvas.setAttribute("role", "application");
+    this.stage.canvas.setAttribute("aria-label", "The model: arrows go from node to node, S sounds");
     this.probing = new Probing(this.view, this.store);
     this.senses = new Senses(this.view, this.probing, this.store, this.stage);
     this.player = new Player(this.view, this.store, this.stage);

@@ -13,7 +13,7 @@ export class PaletteView {
     this.#dialog.className = "palette";
     this.#dialog.setAttribute("aria-label", "commands");
     this.#dialog.addEventListener("click", (event) => {
-      if (event.target === this.#dialog) this.#dialog.close();
+      if (event.target === this.#dialog) this.#close();
     });
     host.append(this.#dialog);
   }
@@ -25,6 +25,12 @@ export class PaletteView {
     this.#render();
     if (!this.#dialog.open) this.#dialog.showModal();
     this.#dialog.querySelector("input")?.focus();
+  }
+
+  /** Keys go to the page again, not to the field that is gone. */
+  #close(): void {
+    this.#dialog.close();
+    this.#dialog.querySelector("input")?.blur();
   }
 
   #render(): void {
@@ -44,12 +50,10 @@ export class PaletteView {
         this.#render();
       },
       run: (entry: PaletteEntry) => {
-        this.#dialog.close();
-        // Keys go to the page again, not to the field that is gone.
-        this.#dialog.querySelector("input")?.blur();
+        this.#close();
         entry.run();
       },
-      close: () => this.#dialog.close(),
+      close: () => this.#close(),
     };
     render(paletteTemplate(model), this.#dialog);
   }

@@ -27,7 +27,9 @@ export function attachKeyboard(commands: readonly KeyCommand[]): () => void {
     const isPalette = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "k";
     if (target?.matches(TYPING) && !isPalette) return;
     if (event.key.startsWith("Arrow") && target?.matches("input, summary")) return;
-    if (event.key === " " && target?.closest("button, summary, [role=button]")) return;
+    if (event.key === " " && target?.closest("button, summary, input, [role=button]")) return;
+    // In a column these keys leaf through it.
+    if (event.key.startsWith("Page") && target?.closest(".area-left, .area-right")) return;
     const withControl = event.ctrlKey || event.metaKey;
     const named = event.shiftKey && event.key.startsWith("Arrow") ? `shift+${event.key}` : event.key;
     const command = withControl ? commands.find((c) => c.keys.includes(chord(event))) : find(named, event);

@@ -12,6 +12,7 @@ import { deskTests } from "./desk.mjs";
 import { launch } from "./harness.mjs";
 import { insideTests } from "./inside.mjs";
 import { keepTests } from "./keep.mjs";
+import { keyboardTests } from "./keyboard.mjs";
 import { lanTests } from "./lan.mjs";
 import { legendTests } from "./legend.mjs";
 import { listeningTests } from "./listening.mjs";
@@ -73,6 +74,7 @@ for (const { name, run, skip } of [
   ...accessTests,
   ...contrastTests,
   ...smallTests,
+  ...keyboardTests,
   ...vrTests,
   ...vrRowTests,
   ...vrComfortTests,

@@ -28,7 +28,7 @@ export class Palette implements Feature {
   entries(typed: string): PaletteEntry[] {
     const { keys, actions, view, models, features } = this.#app;
     const plain = (text: string, run: () => void) => ({ text, shown: "", run });
-    const own = keys.filter((k) => !k.up && k.keys.length > 0 && !/arrow/i.test(k.keys[0] ?? ""));
+    const own = keys.filter((k) => !k.up && k.keys.length > 0 && !/arrow|^ctrl\+k$/i.test(k.keys[0] ?? ""));
     const id = Number(typed.trim());
     const numbers =
       typed.trim() !== "" && Number.isInteger(id) && id > 0
