@@ -238,7 +238,7 @@ export const keyboardTests = [
     name: "wishes_of_the_system_for_less_motion_and_more_contrast_are_kept",
     async run({ browser, url }) {
       const { page, context } = await openPage(browser, url, {
-        media: { reducedMotion: "reduce", forcedColors: "active" },
+        device: { reducedMotion: "reduce", forcedColors: "active" },
       });
       const id = await page.evaluate(() => window.feelem.scene().results[0].values[0].max.node);
       await page.keyboard.press("n");
