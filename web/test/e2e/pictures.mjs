@@ -11,9 +11,19 @@ const [scene, folder = fileURLToPath(new URL("../../../docs/pictures/", import.m
 const server = await serve(new Map([["scene.glb", readFileSync(scene)]]));
 const browser = await launch();
 
-async function desk(name, { width, height, dark = false, at, before = async () => {}, held = false }) {
-  const { page, context } = await openPage(browser, server.url, { width, height, dark, smooth: true });
+async function desk(
+  name,
+  { width, height, dark = false, at, before = async () => {}, held = false, device = {} },
+) {
+  const { page, context } = await openPage(browser, server.url, {
+    width,
+    height,
+    dark,
+    smooth: true,
+    device,
+  });
   await before(page);
+  await page.evaluate(() => document.activeElement?.blur());
   const box = await page.locator(".area-stage canvas").boundingBox();
   await page.mouse.move(box.x + box.width * at[0], box.y + box.height * at[1]);
   if (held) await page.mouse.down();
@@ -117,7 +127,7 @@ const shots = {
       held: true,
       before: async (page) => {
         await drag(page, -42, -14);
-        await page.keyboard.press("l");
+        await page.getByRole("button", { name: "shading", exact: true }).click();
       },
     }),
   "desk-dark.png": (name) =>
@@ -132,7 +142,43 @@ const shots = {
         await page.keyboard.press("l");
       },
     }),
-  "desk-narrow.png": (name) => desk(name, { width: 420, height: 860, at: [0.5, 0.45] }),
+  "phone.png": (name) =>
+    desk(name, {
+      width: 390,
+      height: 844,
+      at: [0.86, 0.62],
+      device: { hasTouch: true, isMobile: true, deviceScaleFactor: 1.5 },
+      before: (page) => page.keyboard.press("x"),
+    }),
+  "clip.png": (name) =>
+    desk(name, {
+      width: 1200,
+      height: 760,
+      at: [0.5, 0.02],
+      before: async (page) => {
+        for (const key of ["x", "u"]) await page.keyboard.press(key);
+        await page.locator("details[data-section='cuts'] > summary").click();
+        const section = page.locator("details[data-section='cuts']");
+        await section.getByRole("button", { name: "Add a plane" }).click();
+        await section.getByRole("button", { name: "y", exact: true }).click();
+        await section.getByRole("button", { name: "other side of plane 1" }).click();
+        await drag(page, 150, -10);
+        await page.keyboard.press("l");
+      },
+    }),
+  "hot-spots.png": (name) =>
+    desk(name, {
+      width: 1200,
+      height: 760,
+      dark: true,
+      at: [0.02, 0.02],
+      before: async (page) => {
+        for (const key of ["x", "u"]) await page.keyboard.press(key);
+        await page.click("tbody tr:nth-child(3) button[data-slot='colour']");
+        await page.locator("details[data-section='hot-spots'] > summary").click();
+        await page.keyboard.press("l");
+      },
+    }),
   "headset.png": headset,
 };
 for (const [name, take] of Object.entries(shots)) if (name.includes(wanted)) await take(name);
