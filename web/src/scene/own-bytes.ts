@@ -4,6 +4,8 @@ import { type Container, type GltfJson, parseJson, readHead } from "./gltf";
 import { SceneError } from "./scene-types";
 
 const CUT_OFF = "the scene is cut off: the file ends before its data";
+/** Bytes: an array of a million triangles' corners fits. */
+const FIRST_ROOM = 16 << 20;
 const CHUNK_JSON = 0x4e4f534a;
 const CHUNK_BIN = 0x004e4942;
 
@@ -82,13 +84,21 @@ class Feed {
     }
   }
 
-  async fill(target: Uint8Array): Promise<void> {
-    for (let at = 0; at < target.byteLength; ) {
-      const piece = await this.some(target.byteLength - at);
+  /** Exactly so many; room is made as they come, since the length may be a lie. */
+  async take(size: number): Promise<Uint8Array> {
+    let bytes = new Uint8Array(Math.min(size, FIRST_ROOM));
+    for (let at = 0; at < size; ) {
+      if (at === bytes.byteLength) {
+        const larger = new Uint8Array(Math.min(size, 2 * at));
+        larger.set(bytes);
+        bytes = larger;
+      }
+      const piece = await this.some(bytes.byteLength - at);
       if (piece.byteLength === 0) throw new SceneError(CUT_OFF);
-      target.set(piece, at);
+      bytes.set(piece, at);
       at += piece.byteLength;
     }
+    return bytes;
   }
 
   end(): void {
@@ -167,9 +177,7 @@ export class ComingBytes implements OwnBytes {
       for (const segment of this.#segments) {
         if (segment.end > length) throw new SceneError(CUT_OFF);
         await feed.pass(segment.start - at);
-        const bytes = new Uint8Array(segment.end - segment.start);
-        await feed.fill(bytes);
-        segment.came(bytes);
+        segment.came(await feed.take(segment.end - segment.start));
         at = segment.end;
       }
     } catch (error) {

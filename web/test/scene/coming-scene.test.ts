@@ -103,3 +103,55 @@ test("field_without_gaps_is_the_files_own_array_and_one_with_gaps_leaves_it_alon
   expect(stress.values.some(Number.isNaN)).toBe(true);
   expect(tiny.side.get("tiny.d/stress_von_mises.2.bin")).toEqual(before);
 });
+
+test("length_that_is_a_lie_is_refused_when_the_bytes_end", async () => {
+  const { glb } = tinyScene({ cells: [2, 1, 1] });
+  const jsonLength = new DataView(glb).getUint32(12, true);
+  const json = JSON.parse(new TextDecoder().decode(new Uint8Array(glb, 20, jsonLength)));
+  const position = json.accessors.find((a: { name?: string }) => a.name === "p0/POSITION");
+  position.count = 250_000_000;
+  json.bufferViews[position.bufferView].byteLength = 3_000_000_000;
+  const text = new TextEncoder().encode(JSON.stringify(json));
+  const lie = new Uint8Array(28 + text.length + 100);
+  const head = new DataView(lie.buffer);
+  for (const [k, word] of [0x46546c67, 2, 4e9, text.length, 0x4e4f534a].entries())
+    head.setUint32(4 * k, word, true);
+  lie.set(text, 20);
+  head.setUint32(20 + text.length, 3_900_000_000, true);
+  head.setUint32(24 + text.length, 0x004e4942, true);
+  const before = process.memoryUsage().arrayBuffers;
+  await expect(openScene(streamOf(lie.buffer, 1000), noSide)).rejects.toThrow(/cut off/);
+  expect(process.memoryUsage().arrayBuffers - before).toBeLessThan(100e6);
+});
+
+test("array_larger_than_the_first_room_comes_whole", async () => {
+  const floats = 5_999_994;
+  const json = {
+    asset: { version: "2.0" },
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: 3, type: "VEC3", name: "p0/POSITION" },
+      { bufferView: 1, componentType: 5126, count: floats / 3, type: "VEC3", name: "p0/_U/1" },
+    ],
+    bufferViews: [
+      { buffer: 0, byteLength: 36 },
+      { buffer: 0, byteOffset: 36, byteLength: 4 * floats },
+    ],
+    buffers: [{ byteLength: 36 + 4 * floats }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 1 } }] }],
+    nodes: [{ mesh: 0, extras: { feelem: { role: "part", part: 0 } } }],
+    scenes: [{ nodes: [0] }],
+    extras: { feelem: { version: 1, parts: [{ id: 0, name: "p", kind: "solid" }], steps: [], results: [] } },
+  };
+  const text = new TextEncoder().encode(JSON.stringify(json));
+  const file = new Uint8Array(28 + text.length + 36 + 4 * floats);
+  const head = new DataView(file.buffer);
+  for (const [k, word] of [0x46546c67, 2, file.length, text.length, 0x4e4f534a].entries())
+    head.setUint32(4 * k, word, true);
+  file.set(text, 20);
+  head.setUint32(20 + text.length, 36 + 4 * floats, true);
+  head.setUint32(24 + text.length, 0x004e4942, true);
+  const start = 28 + text.length + 36;
+  for (const i of [0, 4_194_303, 4_194_304, floats - 1]) head.setFloat32(start + 4 * i, i + 0.5, true);
+  const { parts } = await openScene(streamOf(file.buffer, 1_000_003), noSide);
+  for (const i of [0, 4_194_303, 4_194_304, floats - 1]) expect(parts[0]?.positions[i]).toBe(i + 0.5);
+});
