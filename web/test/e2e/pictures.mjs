@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes the pictures of docs/pictures from a scene: `node test/e2e/pictures.mjs SCENE.glb [FOLDER]`.
+// Takes the pictures of docs/pictures: `node test/e2e/pictures.mjs SCENE.glb [FOLDER [PART OF A NAME]]`. In place of a scene
+// the address at which `feelem view MODEL` serves it: then a section has its values.
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -8,7 +9,10 @@ import { serve } from "./server.mjs";
 
 const [scene, folder = fileURLToPath(new URL("../../../docs/pictures/", import.meta.url))] =
   process.argv.slice(2);
-const server = await serve(new Map([["scene.glb", readFileSync(scene)]]));
+const isServed = /^http:/.test(scene);
+const server = isServed
+  ? { url: scene, close: async () => {} }
+  : await serve(new Map([["scene.glb", readFileSync(scene)]]));
 const browser = await launch();
 
 async function desk(
@@ -117,6 +121,8 @@ async function headset(name) {
   await context.close();
 }
 
+const sectionsShown = () => window.feelem.state().sections?.every((section) => section.state === "shown");
+
 const wanted = process.argv[4] ?? "";
 const shots = {
   "desk.png": (name) =>
@@ -164,6 +170,7 @@ const shots = {
         await section.getByRole("button", { name: "other side of plane 1" }).click();
         await drag(page, 150, -10);
         await page.keyboard.press("l");
+        if (isServed) await until(page, sectionsShown, (all) => all, "the section's colours");
       },
     }),
   "hot-spots.png": (name) =>
