@@ -110,6 +110,17 @@ export class Picker {
     };
   }
 
+  /** Whether a place of a part can be seen from anywhere: the part is not hidden, no plane has cut it away. Model units. */
+  isThere(part: number, x: number, y: number, z: number): boolean {
+    return this.#looks[part] !== "hidden" && !isCutAway(this.#cuts, x, y, z);
+  }
+
+  /** Where a vertex is drawn, model units. */
+  drawn(part: number, vertex: number, out: Float64Array): void {
+    const target = this.#targets[part];
+    if (target) drawnAt(target.part, this.#shapeOf(part), vertex, out);
+  }
+
   /** First hit of a ray in world metres; `world` is the matrix from model units to world. */
   ray(ray: Ray, world: Matrix4): Hit | null {
     return this.cast(ray, world).hit;

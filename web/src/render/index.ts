@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Drawing: stage, model, palette.
+export { ArrowGlyphs, type Glyph } from "./arrow-glyphs";
 export { featureEdges } from "./feature-edges";
 export { type CutPlane, MAX_CUTS } from "./field-material";
 export type { InsideMesh, InsideTriangles } from "./inside-mesh";

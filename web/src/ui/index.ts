@@ -42,3 +42,4 @@ export {
   type VariantRow,
   variantListTemplate,
 } from "./variant-list";
+export { type VectorFormActions, vectorTemplate } from "./vector-form";

@@ -287,7 +287,7 @@ export const insideTests = [
     async run({ browser }) {
       const { url, end } = await viewModel();
       try {
-        const { page, context } = await openPage(browser, url, { width: 480, height: 300, headset: true });
+        const { page, context } = await openPage(browser, url, { width: 480, height: 620, headset: true });
         await cutAlong(page);
         await enterHeadset(page);
         const aim = (y) =>

@@ -46,7 +46,8 @@ async function drag(page, dx, dy) {
   await page.keyboard.press("f");
 }
 
-async function headset(name) {
+/** Both eyes, or the left one alone, turned by `yaw` and narrowed to `field` (radians). */
+async function headset(name, { yaw = 0, field = 1.45, both = true } = {}) {
   // Each eye gets half of the stage: about as wide as it is high, as in a headset.
   const [width, height] = [2000, 800];
   const { page, context } = await openPage(browser, server.url, {
@@ -56,10 +57,10 @@ async function headset(name) {
     smooth: true,
   });
   const stage = await page.locator(".area-stage canvas").boundingBox();
-  await page.evaluate(() => {
-    window.headset.fovy = 1.45;
+  await page.evaluate((field) => {
+    window.headset.fovy = field;
     document.querySelector("button.vr").click();
-  });
+  }, field);
   await until(
     page,
     () => window.feelem.state().session,
@@ -110,11 +111,17 @@ async function headset(name) {
   );
   await page.evaluate(() => window.headset.controllers.right.updateButtonValue("trigger", 1));
   await page.waitForTimeout(6000);
+  await page.evaluate((yaw) => {
+    const { x, y, z, w } = window.headset.quaternion;
+    const [s, c] = [Math.sin(yaw / 2), Math.cos(yaw / 2)];
+    window.headset.quaternion.set(c * x + s * z, c * y + s * w, c * z - s * x, c * w - s * y);
+  }, yaw);
+  await page.waitForTimeout(2000);
   // The emulator shows the canvas, as large as it was on the page, in the middle of the window.
   const clip = {
     x: (width - stage.width) / 2,
     y: (height - stage.height) / 2,
-    width: stage.width,
+    width: both ? stage.width : stage.width / 2,
     height: stage.height,
   };
   await page.screenshot({ path: join(folder, name), clip });
@@ -186,7 +193,32 @@ const shots = {
         await page.keyboard.press("l");
       },
     }),
+  "principal.png": (name) =>
+    desk(name, {
+      width: 1200,
+      height: 760,
+      at: [0.02, 0.02],
+      before: async (page) => {
+        for (const key of ["x", "u", "e"]) await page.keyboard.press(key);
+        await page.locator("details[data-section='vectors'] > summary").click();
+        await page.getByLabel("result drawn as arrows").selectOption("stress");
+        await page.keyboard.press("l");
+      },
+    }),
+  "modes.png": (name) =>
+    desk(name, {
+      width: 1200,
+      height: 760,
+      at: [0.02, 0.02],
+      before: async (page) => {
+        for (const key of ["x", "l"]) await page.keyboard.press(key);
+        await drag(page, -60, -16);
+        await page.locator(".stepbar").getByLabel("next step").click();
+        await page.waitForTimeout(1500);
+      },
+    }),
   "headset.png": headset,
+  "headset-panel.png": (name) => headset(name, { yaw: 0.42, field: 1.3, both: false }),
 };
 for (const [name, take] of Object.entries(shots)) if (name.includes(wanted)) await take(name);
 await browser.close();

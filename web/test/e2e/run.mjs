@@ -26,6 +26,7 @@ import { smallTests } from "./small.mjs";
 import { timeTests } from "./time.mjs";
 import { touchTests } from "./touch.mjs";
 import { variantTests } from "./variants.mjs";
+import { vectorTests } from "./vectors.mjs";
 import { vrTests } from "./vr.mjs";
 import { vrComfortTests } from "./vr-comfort.mjs";
 import { vrPinchTests } from "./vr-pinches.mjs";
@@ -84,6 +85,7 @@ for (const { name, run, skip } of [
   ...programTests,
   ...insideTests,
   ...variantTests,
+  ...vectorTests,
   ...reviewTests,
   ...lanTests,
 ]) {

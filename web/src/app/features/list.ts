@@ -21,6 +21,7 @@ import { Path } from "./path";
 import { Save } from "./save";
 import { Sweep } from "./sweep";
 import { Variants } from "./variants";
+import { Vectors } from "./vectors";
 import { Walking } from "./walking";
 
 export function makeFeatures(app: App): readonly Feature[] {
@@ -31,6 +32,7 @@ export function makeFeatures(app: App): readonly Feature[] {
     new Parts(app),
     new Cuts(app),
     new Inside(app),
+    new Vectors(app),
     new History(app),
     new Listening(app),
     new Calibration(app),
