@@ -74,19 +74,25 @@ TEST(QuestionPool, works_on_so_many_at_once_and_sends_away_who_finds_the_queue_f
 
 TEST(QuestionPool, gives_up_what_the_same_client_has_asked_before) {
     QuestionPool pool({1, 8, 30s});
-    Slow first, second, third;
+    Slow first, second, third, fourth;
     auto running = asked(pool, first, "a");
     first.wait_for(1);
-    auto other = asked(pool, second, "b");
-    auto waiting = asked(pool, second, "a");
+    // Who waits is asked whether somebody is still there: from then on it is in the queue.
+    std::atomic<bool> is_queued = false;
+    auto other = asked(pool, second, "b", [&] {
+        is_queued = true;
+        return false;
+    });
+    while (!is_queued) std::this_thread::sleep_for(1ms);
+    auto waiting = asked(pool, third, "a");
     EXPECT_EQ(running.get(), End::Superseded);
     second.wait_for(1);
-    auto newest = asked(pool, third, "a");
+    auto newest = asked(pool, fourth, "a");
     EXPECT_EQ(waiting.get(), End::Superseded);
-    second.may_end = third.may_end = true;
+    EXPECT_EQ(third.begun, 0) << "what waited and was superseded is not begun";
+    second.may_end = fourth.may_end = true;
     EXPECT_EQ(other.get(), End::Done);
     EXPECT_EQ(newest.get(), End::Done);
-    EXPECT_EQ(second.begun, 1) << "what waited and was superseded is not begun";
 }
 
 TEST(QuestionPool, gives_up_what_nobody_waits_for) {
