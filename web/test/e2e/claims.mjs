@@ -2,7 +2,7 @@
 // Claims of docs/senses.md that only the whole page can show: what is drawn, said, heard and felt of one value.
 import assert from "node:assert/strict";
 import { workshop } from "./binary.mjs";
-import { listen, openPage, pixelsOf, until } from "./harness.mjs";
+import { HEARD, listen, openPage, pixelsOf, until } from "./harness.mjs";
 import { middle, viewFrom } from "./look.mjs";
 import { BOILER, BOILER_OPTIONS, whyNot } from "./program.mjs";
 import { chooseColours, gridOf, legendRows, plainModel, probedAt, readingOf, settled } from "./read-back.mjs";
@@ -215,7 +215,7 @@ export const claimTests = [
       await aim(page, "right", [0.3, 1.3, -0.4], [0, 1.05, -1.2]);
       await frames(page, 3);
       await button(page, "right", "trigger", 1);
-      await until(page, listen, (h) => h.level > 0.002, "a tone");
+      await until(page, listen, (h) => h.level > HEARD, "a tone");
       const seen = await page.evaluate(
         () =>
           new Promise((done) => {
@@ -276,7 +276,7 @@ export const claimTests = [
       await page.mouse.move(x, y);
       await until(page, probe, (r) => r?.tickRate > 0 && r.hz === 0, "ticks alone");
       await page.mouse.down();
-      await until(page, listen, (h) => h.level > 0.002 && h.hz > 2200 && h.hz < 4600, "a tick in its band");
+      await until(page, listen, (h) => h.level > HEARD && h.hz > 2200 && h.hz < 4600, "a tick in its band");
       assert.match(await page.locator(".card-sound").textContent(), /^[\d.]+ ticks\/s for touch$/);
       assert.deepEqual(await page.evaluate(() => window.feelem.pulses()), []);
       await page.mouse.up();

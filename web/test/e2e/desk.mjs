@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page at a desk: values, colours, legend, steps, keys, sound without pulses.
 import assert from "node:assert/strict";
-import { listen, openPage, pixelOf, until } from "./harness.mjs";
+import { HEARD, listen, openPage, pixelOf, until } from "./harness.mjs";
 import { readScene, resultIdOf, valueAtNode, valueAtPoint } from "./oracle.mjs";
 
 const probe = () => window.feelem.lastProbe();
@@ -114,7 +114,7 @@ export const deskTests = [
         const heard = await until(
           page,
           listen,
-          (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01,
+          (h) => h.level > HEARD && Math.abs(h.hz / hz - 1) < 0.01,
           `a tone of ${hz} Hz`,
         );
         nearly(heard.hz, hz, 0.01 * hz);
@@ -146,7 +146,7 @@ export const deskTests = [
       const [{ x, y }] = (await sweep(page, 6)).filter(({ report }) => report.hz > 0);
       await page.mouse.move(x, y);
       await page.keyboard.down("s");
-      await until(page, listen, (h) => h.level > 0.002, "sound while S is held");
+      await until(page, listen, (h) => h.level > HEARD, "sound while S is held");
       await page.evaluate(() => window.dispatchEvent(new Event("blur")));
       await until(page, listen, (h) => h.level < 1e-4, "silence after blur");
       await page.keyboard.up("s");
@@ -361,7 +361,7 @@ export const deskTests = [
       await page.keyboard.press("ArrowLeft");
       await until(page, probe, (r) => r?.nodeId === start, "the way back");
       await page.keyboard.down("s");
-      await until(page, listen, (h) => h.level > 0.002, "the pinned node is heard");
+      await until(page, listen, (h) => h.level > HEARD, "the pinned node is heard");
       await page.keyboard.up("s");
       await until(page, listen, (h) => h.level < 1e-4, "silence");
       await context.close();

@@ -137,6 +137,9 @@ export async function enterHeadset(page) {
   await until(page, session, (s) => s === "immersive-vr", "the session");
 }
 
+/** Level above which something sounds, also when it has rested for so long that it has faded by 18 dB (silence is 0). */
+export const HEARD = 0.0005;
+
 /** Loudest partial of what sounds now, and its level. Runs in the page. */
 export function listen() {
   const tap = globalThis.soundTap;

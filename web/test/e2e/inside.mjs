@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { findProgram, ROOT, whyNoScene } from "./binary.mjs";
 import { readVolume, valueInside } from "./frd-volume.mjs";
-import { enterHeadset, listen, openPage, pixelOf, until } from "./harness.mjs";
+import { enterHeadset, HEARD, listen, openPage, pixelOf, until } from "./harness.mjs";
 import { unfold, viewFrom } from "./look.mjs";
 import { BOILER_OPTIONS, viewBoiler } from "./program.mjs";
 
@@ -243,7 +243,7 @@ export const insideTests = [
         await until(
           page,
           listen,
-          (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.02,
+          (h) => h.level > HEARD && Math.abs(h.hz / hz - 1) < 0.02,
           `a tone of ${hz} Hz`,
         );
         await page.mouse.up();

@@ -2,7 +2,7 @@
 // Listening along a path, through the model and to a beacon; setting up ears and hands. All by what the page reports.
 import assert from "node:assert/strict";
 import { FIRST_NODE_ID, tinyValues } from "../support/tiny-scene.ts";
-import { listen, openPage, until } from "./harness.mjs";
+import { HEARD, listen, openPage, until } from "./harness.mjs";
 import { unfold, viewFrom } from "./look.mjs";
 import { resultIdOf, valueAtNode, valueAtPoint } from "./oracle.mjs";
 
@@ -114,7 +114,7 @@ export const listeningTests = [
       assert.ok(!near.beacon.words.includes("far side"), near.beacon.words);
       const [right, , back] = near.beacon.direction;
       assert.ok(back < 0 && right > 0, `from +x, y goes to the right: ${near.beacon.direction}`);
-      await until(page, listen, (h) => h.level > 0.002, "ticks");
+      await until(page, listen, (h) => h.level > HEARD, "ticks");
       await viewFrom(page, "-x");
       const far = await until(
         page,

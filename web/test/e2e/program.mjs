@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { findProgram, ROOT, whyNoScene } from "./binary.mjs";
-import { enterHeadset, listen, openPage, until } from "./harness.mjs";
+import { enterHeadset, HEARD, listen, openPage, until } from "./harness.mjs";
 
 export const BOILER = join(ROOT, "examples/boiler");
 export const whyNot = whyNoScene("examples/boiler/boiler.frd");
@@ -101,7 +101,7 @@ export const programTests = [
         await until(
           page,
           listen,
-          (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01,
+          (h) => h.level > HEARD && Math.abs(h.hz / hz - 1) < 0.01,
           `a tone of ${hz} Hz`,
         );
         await page.mouse.up();

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { findProgram } from "./binary.mjs";
-import { enterHeadset, listen, openPage, until } from "./harness.mjs";
+import { enterHeadset, HEARD, listen, openPage, until } from "./harness.mjs";
 import { BOILER, BOILER_OPTIONS, viewBoiler, whyNot } from "./program.mjs";
 
 const probe = () => window.feelem.lastProbe();
@@ -101,7 +101,7 @@ export const reviewTests = [
         await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
         await page.mouse.down();
         const { hz } = await until(page, probe, (r) => r?.hz > 0, "a pitch");
-        const heard = (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01;
+        const heard = (h) => h.level > HEARD && Math.abs(h.hz / hz - 1) < 0.01;
         await until(page, listen, heard, `a tone of ${hz} Hz`);
         await page.mouse.up();
         await enterHeadset(page);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fingers on the page, and the rest of mouse and keyboard.
 import assert from "node:assert/strict";
-import { listen, openPage, PHONE, until } from "./harness.mjs";
+import { HEARD, listen, openPage, PHONE, until } from "./harness.mjs";
 import { middle, unfold, viewFrom } from "./look.mjs";
 import { resultIdOf, valueAtPoint } from "./oracle.mjs";
 
@@ -42,7 +42,7 @@ export const touchTests = [
           entry.name,
         );
       }
-      await until(page, listen, (h) => h.level > 0.002 && Math.abs(h.hz / here.hz - 1) < 0.01, "the tone");
+      await until(page, listen, (h) => h.level > HEARD && Math.abs(h.hz / here.hz - 1) < 0.01, "the tone");
       assert.ok(here.tickRate > 0, "ticks stand in for pulses");
       await touch("touchMove", [x + 40, y]);
       await until(page, probe, (r) => r && r.point[0] > here.point[0] + 5, "a place further on");
@@ -118,7 +118,7 @@ export const touchTests = [
       await press("sound");
       await page.mouse.move(x, y);
       await page.mouse.down();
-      await until(page, listen, (h) => h.level > 0.002, "sound again");
+      await until(page, listen, (h) => h.level > HEARD, "sound again");
       await page.mouse.up();
       assert.deepEqual(problems, []);
       await context.close();
@@ -172,7 +172,7 @@ export const touchTests = [
       }
       await page.mouse.move(x + 1, y);
       await page.keyboard.down("s");
-      await until(page, listen, (h) => h.level > 0.002, "sound");
+      await until(page, listen, (h) => h.level > HEARD, "sound");
       await page.keyboard.press("m");
       await until(page, listen, (h) => h.level < 1e-4, "silence while muted");
       await page.keyboard.up("s");
@@ -298,7 +298,7 @@ export const touchTests = [
       await tap("sound");
       await tap("touch");
       await hold();
-      await until(page, listen, (h) => h.level > 0.002, "sound again");
+      await until(page, listen, (h) => h.level > HEARD, "sound again");
       await until(
         page,
         () => globalThis.shaken.length,
@@ -450,7 +450,7 @@ export const touchTests = [
       await until(page, probe, (r) => r !== null, "the model under the mouse");
       await page.keyboard.down("Shift");
       await page.keyboard.down("S");
-      await until(page, listen, (h) => h.level > 0.002, "sound");
+      await until(page, listen, (h) => h.level > HEARD, "sound");
       await page.keyboard.up("S");
       await page.keyboard.up("Shift");
       await until(page, listen, (h) => h.level < 1e-4, "silence");
@@ -471,7 +471,7 @@ export const touchTests = [
       const hold = async () => {
         await touch("touchStart", [x, y]);
         await until(page, probe, (r) => r?.hz > 0, "the finger on the model");
-        await until(page, listen, (h) => h.level > 0.002, "sound");
+        await until(page, listen, (h) => h.level > HEARD, "sound");
       };
       await page.keyboard.press("v");
       await hold();

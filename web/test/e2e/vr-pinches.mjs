@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of interactions for headsets that know eyes only while one pinches: no gamepad, no hover, all by pinches.
 import assert from "node:assert/strict";
-import { listen, until } from "./harness.mjs";
+import { HEARD, listen, until } from "./harness.mjs";
 import { enter, fingerAt, frames, nodeInRoom, panelButton, useHands, usePinches } from "./vr-hands.mjs";
 
 const state = () => window.feelem.state();
@@ -41,7 +41,7 @@ export const vrPinchTests = [
       await fingers.begin(nodeInRoom(60, 20, 30, deformationFactor));
       const here = await until(page, probe, (r) => r?.pointer === "right-transient", "the pinch on the bar");
       assert.ok(Math.abs(here.point[0] - 60) < 0.5, `at ${here.point}`);
-      await until(page, listen, (h) => h.level > 0.002 && Math.abs(h.hz / here.hz - 1) < 0.01, "the tone");
+      await until(page, listen, (h) => h.level > HEARD && Math.abs(h.hz / here.hz - 1) < 0.01, "the tone");
       assert.ok(here.tickRate > 0, "soft ticks stand in for pulses");
       // Nothing shakes: rings show each pulse to the eye.
       const rings = (s) => s.headset.rings.find((r) => r.pointer === "right-transient");
@@ -89,7 +89,7 @@ export const vrPinchTests = [
       await fingers.end();
       await fingers.press("sound");
       await fingers.begin(nodeInRoom(60, 20, 30, deformationFactor));
-      await until(page, listen, (h) => h.level > 0.002, "sound again");
+      await until(page, listen, (h) => h.level > HEARD, "sound again");
       await fingers.end();
       assert.deepEqual(problems, []);
       await context.close();

@@ -2,7 +2,7 @@
 // The table of interactions, row by row: controllers' buttons and sticks, planes in the hand, hands that pinch, and
 // pinches that come and go.
 import assert from "node:assert/strict";
-import { listen, until } from "./harness.mjs";
+import { HEARD, listen, until } from "./harness.mjs";
 import { resultIdOf, valueAtNode } from "./oracle.mjs";
 import {
   aim,
@@ -135,11 +135,11 @@ export const vrRowTests = [
       const { page, context } = await enter(browser, url);
       await aimAtNode(page, "right", 8, 2, 3);
       await button(page, "right", "trigger", 1);
-      await until(page, listen, (h) => h.level > 0.002, "sound");
+      await until(page, listen, (h) => h.level > HEARD, "sound");
       await press(page, "left", "thumbstick");
       await until(page, listen, (h) => h.level < 1e-4, "silence while muted");
       await press(page, "left", "thumbstick");
-      await until(page, listen, (h) => h.level > 0.002, "sound again");
+      await until(page, listen, (h) => h.level > HEARD, "sound again");
       await context.close();
     },
   },
@@ -307,7 +307,7 @@ export const vrRowTests = [
       await until(
         page,
         listen,
-        (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01,
+        (h) => h.level > HEARD && Math.abs(h.hz / hz - 1) < 0.01,
         `a tone of ${hz} Hz`,
       );
       const { tickRate } = await page.evaluate(probe);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of interactions: the touch probe, what bare hands do beside pointing, and comfort while the world moves.
 import assert from "node:assert/strict";
-import { listen, until } from "./harness.mjs";
+import { HEARD, listen, until } from "./harness.mjs";
 import { resultIdOf, valueAtPoint } from "./oracle.mjs";
 import {
   aim,
@@ -59,7 +59,7 @@ export const vrTouchTests = [
       assert.equal((await page.evaluate(() => window.feelem.pulses())).length, 0);
       await button(page, "right", "trigger", 1);
       const { hz, pulse } = await page.evaluate(probe);
-      await until(page, listen, (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01, "the tone");
+      await until(page, listen, (h) => h.level > HEARD && Math.abs(h.hz / hz - 1) < 0.01, "the tone");
       const felt = await until(
         page,
         () => window.feelem.pulses(),
@@ -90,7 +90,7 @@ export const vrTouchTests = [
       const on = nodeInRoom(80, 20, 30, deformationFactor);
       await aim(page, "right", [on[0], on[1] + 0.02, on[2]], [on[0], 3, on[2]]);
       const { hz } = await until(page, probe, (r) => r?.hz > 0, "the touched place");
-      await until(page, listen, (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01, "the tone");
+      await until(page, listen, (h) => h.level > HEARD && Math.abs(h.hz / hz - 1) < 0.01, "the tone");
       await until(
         page,
         () => window.feelem.pulses().length,
@@ -120,7 +120,7 @@ export const vrTouchTests = [
       assert.equal(rayOf(touching, "right-hand"), null, "no ray while it touches");
       await page.evaluate(() => window.headset.hands.right.updatePinchValue(1));
       const held = await until(page, probe, (r) => r?.hz > 0, "the place that is held");
-      await until(page, listen, (h) => h.level > 0.002 && Math.abs(h.hz / held.hz - 1) < 0.02, "the tone");
+      await until(page, listen, (h) => h.level > HEARD && Math.abs(h.hz / held.hz - 1) < 0.02, "the tone");
       const model = (await page.evaluate(state)).headset.model;
       await page.evaluate(() => window.headset.hands.right.updatePinchValue(0));
       await until(page, listen, (h) => h.level < 1e-4, "silence");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page in an emulated headset: rays, values, pulses, grips, and silence when the person lets go or leaves.
 import assert from "node:assert/strict";
-import { listen, until } from "./harness.mjs";
+import { HEARD, listen, until } from "./harness.mjs";
 import { resultIdOf, valueAtNode } from "./oracle.mjs";
 import { aim, aimAtNode, button, enter, frames, pressPanel } from "./vr-hands.mjs";
 
@@ -40,7 +40,7 @@ export const vrTests = [
       await until(
         page,
         listen,
-        (h) => h.level > 0.002 && Math.abs(h.hz / hz - 1) < 0.01,
+        (h) => h.level > HEARD && Math.abs(h.hz / hz - 1) < 0.01,
         `a tone of ${hz} Hz`,
       );
       await button(page, "right", "trigger", 0);
@@ -98,7 +98,7 @@ export const vrTests = [
       const start = async () => {
         await aimAtNode(page, "right", 4, 2, 3);
         await button(page, "right", "trigger", 1);
-        await until(page, listen, (h) => h.level > 0.002, "sound");
+        await until(page, listen, (h) => h.level > HEARD, "sound");
       };
       const isStill = async (what) => {
         await until(page, listen, (h) => h.level < 1e-4, `silence after ${what}`);
@@ -130,7 +130,7 @@ export const vrTests = [
       const { page, context } = await enter(browser, url);
       await aimAtNode(page, "right", 4, 2, 3);
       await button(page, "right", "trigger", 1);
-      await until(page, listen, (h) => h.level > 0.002, "sound");
+      await until(page, listen, (h) => h.level > HEARD, "sound");
       await page.evaluate(() => window.xrSession.end());
       await until(
         page,
