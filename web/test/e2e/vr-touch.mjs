@@ -119,8 +119,18 @@ export const vrTouchTests = [
       assert.deepEqual(touching.headset.touching, ["right-hand"]);
       assert.equal(rayOf(touching, "right-hand"), null, "no ray while it touches");
       await page.evaluate(() => window.headset.hands.right.updatePinchValue(1));
-      const held = await until(page, probe, (r) => r?.hz > 0, "the place that is held");
-      await until(page, listen, (h) => h.level > HEARD && Math.abs(h.hz / held.hz - 1) < 0.02, "the tone");
+      // The finger bends as it pinches: the place is held once it rests.
+      let before = 0;
+      const rests = ({ hz }) => {
+        const same = hz === before;
+        before = hz;
+        return hz > 0 && same;
+      };
+      await until(page, probe, (r) => r?.hz > 0, "the place that is held");
+      await frames(page, 6);
+      const held = await until(page, probe, (r) => r && rests(r), "a finger that rests");
+      const isHeard = (h) => h.level > HEARD && Math.abs(h.hz / held.hz - 1) < 0.02;
+      await until(page, listen, isHeard, `the tone of ${held.hz} Hz`);
       const model = (await page.evaluate(state)).headset.model;
       await page.evaluate(() => window.headset.hands.right.updatePinchValue(0));
       await until(page, listen, (h) => h.level < 1e-4, "silence");
