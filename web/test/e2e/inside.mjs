@@ -2,15 +2,14 @@
 // Inside the boiler, served by the real program from its model file: sections, values at places, surfaces; a scene alone
 // says that it has none of these.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { findProgram, ROOT, whyNoScene } from "./binary.mjs";
+import { ROOT, whyNoScene } from "./binary.mjs";
 import { readVolume, valueInside } from "./frd-volume.mjs";
 import { enterHeadset, HEARD, listen, openPage, pixelOf, until } from "./harness.mjs";
 import { unfold, viewFrom } from "./look.mjs";
-import { BOILER_OPTIONS, viewBoiler } from "./program.mjs";
+import { BOILER_OPTIONS, view, viewBoiler } from "./program.mjs";
 
 const MODEL = "examples/boiler/small/static.frd";
 const skip = whyNoScene(MODEL);
@@ -19,30 +18,8 @@ const probe = () => window.feelem.lastProbe();
 /** In no plane of nodes, and across both walls, heads, nozzles and legs. */
 const PLACE = 37;
 
-async function viewModel() {
-  const folder = mkdtempSync(join(tmpdir(), "feelem-e2e-"));
-  const child = spawn(findProgram(), ["view", join(ROOT, MODEL), "--no-open", ...BOILER_OPTIONS], {
-    env: { ...process.env, XDG_DATA_HOME: folder },
-    stdio: ["ignore", "pipe", "pipe"],
-  });
-  const url = await new Promise((resolve, reject) => {
-    let said = "";
-    const more = (bytes) => {
-      said += bytes;
-      const address = /https?:\/\/[^\s]+/.exec(said)?.[0];
-      if (address) resolve(address);
-    };
-    child.stdout.on("data", more);
-    child.stderr.on("data", more);
-    child.on("exit", () => reject(new Error(`feelem view ended: ${said}`)));
-  });
-  const end = () => {
-    child.removeAllListeners("exit");
-    child.kill("SIGINT");
-    rmSync(folder, { recursive: true, force: true });
-  };
-  return { url, end };
-}
+const viewModel = () =>
+  view(mkdtempSync(join(tmpdir(), "feelem-e2e-")), join(ROOT, MODEL), ...BOILER_OPTIONS);
 
 const sectionShown = (page, what = "the section") =>
   until(page, state, (s) => s.sections?.[0]?.state === "shown", what);

@@ -17,15 +17,9 @@ export const BOILER_OPTIONS = [
   ...["--present", join(BOILER, "boiler.presentation.json")],
 ];
 
-/** Converts the boiler and serves it; gives address, scene file and an end. */
-export async function viewBoiler(...options) {
-  const program = findProgram();
-  const folder = mkdtempSync(join(tmpdir(), "feelem-e2e-"));
-  const file = join(folder, "boiler.glb");
-  execFileSync(program, ["convert", join(BOILER, "boiler.frd"), "-o", file, ...BOILER_OPTIONS], {
-    stdio: "pipe",
-  });
-  const child = spawn(program, ["view", file, "--no-open", ...options], {
+/** `feelem view` of a file, with nothing kept between runs but in `folder`; gives its address and an end. */
+export async function view(folder, file, ...options) {
+  const child = spawn(findProgram(), ["view", file, "--no-open", ...options], {
     env: { ...process.env, XDG_DATA_HOME: folder },
     stdio: ["ignore", "pipe", "pipe"],
   });
@@ -45,7 +39,18 @@ export async function viewBoiler(...options) {
     child.kill("SIGINT");
     rmSync(folder, { recursive: true, force: true });
   };
-  return { program, file, url, end };
+  return { url, end };
+}
+
+/** Converts the boiler and serves it; gives address, scene file and an end. */
+export async function viewBoiler(...options) {
+  const program = findProgram();
+  const folder = mkdtempSync(join(tmpdir(), "feelem-e2e-"));
+  const file = join(folder, "boiler.glb");
+  execFileSync(program, ["convert", join(BOILER, "boiler.frd"), "-o", file, ...BOILER_OPTIONS], {
+    stdio: "pipe",
+  });
+  return { program, file, ...(await view(folder, file, ...options)) };
 }
 
 const probe = () => window.feelem.lastProbe();
