@@ -4,7 +4,7 @@
 #include "feelem/inside.hpp"
 
 #include "base/parallel.hpp"
-#include "model/mesh_builder.hpp"
+#include "skin_mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -18,39 +18,12 @@ namespace {
 
 using namespace feelem;
 
+/// Bent a little, so that no plane of nodes is flat.
 Mesh block_of(int side) {
-    Diagnostics diagnostics;
-    MeshBuilder builder(diagnostics);
-    const int row = side + 1;
-    const auto id = [&](int x, int y, int z) { return NodeId{1 + x + row * (y + std::int64_t{row} * z)}; };
-    for (int z = 0; z <= side; ++z) {
-        for (int y = 0; y <= side; ++y) {
-            for (int x = 0; x <= side; ++x)
-                builder.add_node(id(x, y, z), {x + 0.1 * std::sin(y), y + 0.1 * z, 1.0 * z});
-        }
-    }
-    builder.seal_nodes();
-    const PartIndex part = builder.part("block");
-    std::int64_t element = 0;
-    for (int z = 0; z < side; ++z) {
-        for (int y = 0; y < side; ++y) {
-            for (int x = 0; x < side; ++x) {
-                const NodeId nodes[]{
-                    id(x, y, z),
-                    id(x + 1, y, z),
-                    id(x + 1, y + 1, z),
-                    id(x, y + 1, z),
-                    id(x, y, z + 1),
-                    id(x + 1, y, z + 1),
-                    id(x + 1, y + 1, z + 1),
-                    id(x, y + 1, z + 1)};
-                builder.add_element(ElementId{++element}, ElementType::Hex8, nodes, part, [] {
-                    return std::string();
-                });
-            }
-        }
-    }
-    return builder.finish();
+    const auto cells = static_cast<std::size_t>(side);
+    Mesh mesh = bench::make_mesh("hex8", cells * cells * cells, "natural");
+    for (Point3& at : mesh.coordinates) at = {at[0] + 0.1 * std::sin(at[1]), at[1] + 0.1 * at[2], at[2]};
+    return mesh;
 }
 
 template <class Work>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays meet the skin where it is drawn, however it is moved: the hierarchy against every triangle one by one.
-import { Matrix4, Ray, Vector3 } from "three";
+import { Matrix4, Ray, Triangle, Vector3 } from "three";
 import { expect, test } from "vitest";
 import { Picker } from "../../src/probe";
 import type { ScenePart } from "../../src/scene";
@@ -96,6 +96,51 @@ for (const { name, factorRe, factorIm } of CASES) {
       } else expect(hit).toBeNull();
     }
     expect(hits).toBeGreaterThan(100);
+  });
+}
+
+/** Distance from a point to the nearest of all triangles, as they are drawn. */
+function awayFromAll(parts: readonly ScenePart[], shapes: readonly Shape[], point: Vector3): number {
+  let best = Number.POSITIVE_INFINITY;
+  const [triangle, at] = [new Triangle(), new Vector3()];
+  for (const [k, part] of parts.entries()) {
+    const { re, im, factorRe, factorIm } = shapes[k]!;
+    const drawn = part.positions.map((x, i) => x + factorRe * (re?.[i] ?? 0) + factorIm * (im?.[i] ?? 0));
+    for (let t = 0; t < part.indices.length; t += 3) {
+      const corner = (n: number) => new Vector3().fromArray(drawn, 3 * part.indices[t + n]!);
+      triangle.set(corner(0), corner(1), corner(2)).closestPointToPoint(point, at);
+      best = Math.min(best, at.distanceTo(point));
+    }
+  }
+  return best;
+}
+
+for (const { name, factorRe, factorIm } of CASES) {
+  test(`nearest_place_of_the_skin_${name}_is_where_all_triangles_say`, async () => {
+    const random = randoms(3);
+    const parts = [sheet(12, 0), sheet(9, 1)];
+    const picker = new Picker(parts);
+    await picker.build();
+    const re = parts.map((part) => field(part, random, 0.3));
+    const im = parts.map((part) => field(part, random, 0.2));
+    picker.setShape(re, factorRe, im, factorIm);
+    const shapes = parts.map((_, k) => ({ re: re[k]!, im: im[k]!, factorRe, factorIm }));
+    let found = 0;
+    for (let n = 0; n < 120; ++n) {
+      const point = new Vector3(1.5 * random(), 1.5 * random(), random());
+      const wanted = awayFromAll(parts, shapes, point);
+      const hit = picker.near(point, 0.2, new Matrix4());
+      if (wanted > 0.2) {
+        expect(hit).toBeNull();
+        continue;
+      }
+      found += 1;
+      expect(hit?.distance).toBeCloseTo(wanted, 5);
+      // Weights on the slivers of a crumpled sheet keep fewer digits than the place itself.
+      expect(picker.worldOf(hit!, new Matrix4()).distanceTo(hit!.world)).toBeLessThan(1e-4);
+    }
+    expect(found).toBeGreaterThan(15);
+    expect(found).toBeLessThan(120);
   });
 }
 
