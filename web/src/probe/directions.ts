@@ -10,7 +10,7 @@ export interface Principal {
 }
 
 /** Vertices that bear arrows: of those in each cube of side `spacing` the one nearest to its middle, the smaller node on a
- * tie; in the order of node ids. `bears` leaves out what shows no value or is not seen. */
+ * tie; each node once, in the order of ids. `bears` leaves out what shows no value or is not seen. */
 export function spacedVertices(
   parts: readonly { readonly positions: ArrayLike<number>; readonly nodeIds: ArrayLike<number> }[],
   spacing: number,
@@ -34,8 +34,11 @@ export function spacedVertices(
       best.set(key, { part, vertex, node, away });
     }
   }
-  const chosen = [...best.values()].map(({ part, vertex, node }) => ({ part, vertex, node }));
-  return chosen.sort((a, b) => a.node - b.node || a.part - b.part);
+  const chosen = [...best.values()].sort((a, b) => a.node - b.node || a.away - b.away || a.part - b.part);
+  // The vertices round a beam are all of one node.
+  return chosen
+    .filter((place, i) => place.node !== chosen[i - 1]?.node)
+    .map(({ part, vertex, node }) => ({ part, vertex, node }));
 }
 
 /** Principal values of a symmetric tensor (xx yy zz xy yz zx), the largest first, by Jacobi's rotations (Golub and Van Loan,

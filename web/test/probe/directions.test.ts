@@ -58,3 +58,11 @@ test("each cube bears the node nearest to its middle, whatever part it is of", (
   const some = spacedVertices(parts, 1, (part) => part === 0);
   expect(some.map((v) => v.node)).toEqual([12, 13]);
 });
+
+test("a node whose vertices lie in several cubes, as round a beam, bears one", () => {
+  const parts = [{ positions: [0.9, 0.5, 0.5, 1.2, 0.5, 0.5, 2.5, 0.5, 0.5], nodeIds: [7, 7, 8] }];
+  expect(spacedVertices(parts, 1, () => true)).toEqual([
+    { part: 0, vertex: 1, node: 7 },
+    { part: 0, vertex: 2, node: 8 },
+  ]);
+});
