@@ -68,7 +68,7 @@ std::array<double, Count> numbers(const std::string& option, const std::string& 
 /// Texts as they stand on the line, before they become options.
 struct Texts {
     std::vector<std::string> units, averages;
-    std::string point, ray, up = "z";
+    std::string point, ray, up = "z", bound;
 };
 
 void add_reading_options(CLI::App& app, Job& job) {
@@ -132,6 +132,15 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
         app.add_option("-o,--output", options.job.output, "OUT: the suffix says the format")
             ->option_text(" ");
     }
+    if (has(takes, Takes::Output) || has(takes, Takes::Serving)) {
+        app.add_flag("--compress", options.job.compress, "A smaller scene, for Feelem's viewers alone");
+        app.add_option(
+               "--compress-bound",
+               texts.bound,
+               "P%: values may differ by this part of their result's range; smaller still"
+        )
+            ->option_text(" ");
+    }
     if (has(takes, Takes::Reading)) add_reading_options(app, options.job);
     if (has(takes, Takes::Model)) add_model_options(app, options.job, texts);
     if (has(takes, Takes::Brief))
@@ -184,6 +193,17 @@ std::vector<Averaging> averagings(const std::vector<std::string>& texts) {
     return found;
 }
 
+/// "0.01%": the sign is asked for, since 0.01 alone could be either.
+void read_bound(std::string_view text, Job& job) {
+    const std::string_view number = trim(text.substr(0, text.ends_with('%') ? text.size() - 1 : 0));
+    const std::optional<double> percent = parse_double(number);
+    if (!percent || !(*percent > 0 && *percent <= 10))
+        throw UsageError(fmt::format("--compress-bound \"{}\": expected 0.01% or the like, at most 10%", text)
+        );
+    job.compress = true;
+    job.compress_bound = *percent / 100;
+}
+
 void finish_options(const CLI::App& app, const Command& command, Options& options, const Texts& texts) {
     for (const std::string& text : texts.units) {
         const std::size_t equals = text.find('=');
@@ -197,6 +217,7 @@ void finish_options(const CLI::App& app, const Command& command, Options& option
         throw UsageError(fmt::format("--up \"{}\": expected x, y or z", texts.up));
     }
     options.job.up = texts.up.front();
+    if (!texts.bound.empty()) read_bound(texts.bound, options.job);
     if (!texts.point.empty()) options.point = numbers<3>("--point", texts.point);
     if (!texts.ray.empty()) options.ray = numbers<6>("--ray", texts.ray);
     if (has(command.takes, Takes::Serving)) options.port_given = app.count("--port") > 0;

@@ -22,13 +22,15 @@ void print_place(const ProbedPlace& place) {
         const std::string name = value.component == "value" ? value.name : value.name + " " + value.component;
         const std::string number = value.value ? fmt::format("{:.7g}", *value.value) : "no value";
         const std::string node = value.node_value ? fmt::format("{}", *value.node_value) : "no value";
+        const std::string bound = value.bound > 0 ? fmt::format(", within {:.3g}", value.bound) : "";
         fmt::print(
-            "{:<24} {}{:<14} {:<6} at node {}\n",
+            "{:<24} {}{:<14} {:<6} at node {}{}\n",
             name,
             value.state == "interpolated" ? "~" : " ",
             number,
             value.unit.empty() ? "-" : value.unit,
-            node
+            node,
+            bound
         );
     }
     if (const auto& rgb = place.colour) {

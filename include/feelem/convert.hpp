@@ -44,6 +44,8 @@ struct Job {
     char up = 'z';
     std::string presentation_file;
     std::string title;
+    bool compress = false;  ///< SceneOptions::compress and bound.
+    double compress_bound = 0;
 };
 
 /// Feelem's own version: "0.1.0".

@@ -31,6 +31,7 @@ struct ProbedValue {
     std::optional<float> node_value;  ///< The scene's at the nearest node, bit for bit.
     std::optional<std::int64_t> node_id;
     std::string_view state;  ///< solver interpolated missing
+    double bound = 0;        ///< SceneResult::bound: what a compressed scene may have changed.
 };
 
 /// As the page's lastProbe(). Senses that the presentation does not use are empty.

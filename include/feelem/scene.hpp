@@ -8,6 +8,7 @@
 #include "feelem/present.hpp"
 #include "feelem/surface.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -47,6 +48,12 @@ struct SceneResult {
     std::string system;  ///< Of the components, as ResultInfo says it; empty: the global one.
     bool derived = false;
     std::vector<SceneValues> values;
+    /// Of all components over the model and all steps, as the solver gave them: what SceneOptions::bound is a
+    /// part of. Empty: unknown, or no value at all.
+    std::optional<std::array<float, 2>> range;
+    /// Each value in the scene differs from the solver's by at most this, in the result's unit. 0: bit for
+    /// bit.
+    double bound = 0;
 };
 
 /// Everything a scene is made of. Fields are asked for one at a time, so that memory holds one.
@@ -68,6 +75,10 @@ struct SceneContents {
 
 struct SceneOptions {
     std::uint64_t embed_limit = 4u << 20;  ///< Side files smaller than this in all stay inside the .glb.
+    bool compress = false;  ///< Arrays by EXT_meshopt_compression: smaller, for Feelem's viewers alone.
+    /// With `compress`: values may differ by this part of their result's range (0.0001), positions by
+    /// 1/131072 of the model's largest side; both are stated in the scene. 0: nothing is lost.
+    double bound = 0;
 };
 
 /// Atomic: on failure the old file is still there. Throws Error(WriteFailed).
@@ -100,6 +111,7 @@ struct Scene {
     std::string title;
     std::vector<InputRecord> inputs;  ///< Paths without folders.
     Point3 origin{};
+    double position_bound = 0;  ///< Model units: beyond float32's own rounding. 0: none.
     std::optional<LengthUnit> length_unit;
     std::vector<ScenePart> parts;
     std::vector<Step> steps;

@@ -26,6 +26,10 @@ struct SkinOptions {
 /// Throws Error(NoElements) when nothing can be drawn.
 Surface make_skin(const Mesh& mesh, const SkinOptions& options, Diagnostics& diagnostics);
 
+/// The same surface, triangles and vertices of each part in another order: nearby ones follow each other,
+/// which packs and draws better.
+void order_for_drawing(Surface& surface);
+
 /// Bit for bit for vertices with a node; blended vertices by their weights; mid-side gaps of corner-only
 /// results filled and marked (decision 0010). Elemental and element-nodal results need Domain::ElementNode.
 SurfaceField carry(const Mesh& mesh, const Surface& surface, const Result& result);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -49,8 +50,11 @@ Claim check_positions(const Mesh& mesh, const Scene& scene) {
             for (std::size_t axis = 0; right && axis < 3; ++axis) {
                 const auto wanted =
                     static_cast<float>(mesh.coordinates[raw(node)][axis] - scene.origin[axis]);
-                right = std::bit_cast<std::uint32_t>(wanted) ==
-                        std::bit_cast<std::uint32_t>(part.positions[v][axis]);
+                const float found = part.positions[v][axis];
+                right = std::bit_cast<std::uint32_t>(wanted) == std::bit_cast<std::uint32_t>(found) ||
+                        (scene.position_bound > 0 &&
+                         std::abs(static_cast<double>(wanted) - static_cast<double>(found)) <=
+                             scene.position_bound * (1 + 1e-6));
             }
             tally.count(right, [&] {
                 return fmt::format("node {} is elsewhere in the inputs", part.node_ids[v]);

@@ -24,6 +24,12 @@ bool same_bits(float a, float b) {
            std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
+/// The same bits, or within what the scene says that it lost.
+bool is_within(float a, float b, double bound) {
+    return same_bits(a, b) ||
+           (bound > 0 && std::abs(static_cast<double>(a) - static_cast<double>(b)) <= bound);
+}
+
 /// Rows of a result by what they belong to.
 class RowTable {
 public:
@@ -88,6 +94,7 @@ struct Comparison {
     const ScenePart& part;
     const SceneField& field;
     const std::vector<ElementIndex>& vertex_element;
+    double bound = 0;  ///< What the scene says that a value may be off.
 
     std::size_t width() const { return result.component_count(); }
     float value(std::optional<std::size_t> row, std::size_t component) const {
@@ -111,7 +118,7 @@ struct Comparison {
             const auto a = row(entry.second.first, vertex), b = row(entry.second.second, vertex);
             for (std::size_t c = 0; c < width(); ++c) {
                 const double sum = static_cast<double>(value(a, c)) + static_cast<double>(value(b, c));
-                if (!same_bits(static_cast<float>(0.5 * sum), found(vertex, c))) return false;
+                if (!is_within(static_cast<float>(0.5 * sum), found(vertex, c), bound)) return false;
             }
             return true;
         });
@@ -126,7 +133,7 @@ struct Comparison {
             return !has_value(at) && !is_mean_of_corners(node, vertex);
         if (!has_value(at)) return false;
         for (std::size_t c = 0; c < width(); ++c) {
-            if (!same_bits(value(at, c), found(vertex, c))) return false;
+            if (!is_within(value(at, c), found(vertex, c), bound)) return false;
         }
         return true;
     }
@@ -173,8 +180,8 @@ bool may_be(const ModelSource& source, const ResultInfo& info, const SceneResult
 /// right.
 class RoundedSum {
 public:
-    RoundedSum(double sum, double size_of_terms)
-        : sum_(sum), slack_(8 * std::numeric_limits<double>::epsilon() * size_of_terms) {}
+    RoundedSum(double sum, double size_of_terms, double bound)
+        : sum_(sum), slack_(8 * std::numeric_limits<double>::epsilon() * size_of_terms + bound) {}
     float value() const { return static_cast<float>(sum_); }
     bool may_be(float found) const {
         if (std::isnan(sum_)) return std::isnan(found);
@@ -190,6 +197,7 @@ struct CentreCheck {
     const Mesh& mesh;
     const ElementTable& elements;
     const ScenePart& part;
+    double bound = 0;                                              ///< Of the field at hand.
     std::map<std::uint32_t, std::vector<std::uint32_t>> around{};  ///< Vertices that share a triangle.
     std::map<std::uint32_t, std::int64_t> element{};
 
@@ -230,8 +238,10 @@ struct CentreCheck {
             ++(corner ? corner_count : middle_count);
             size += std::abs(value);
         }
-        if (corner_count == 4 && middle_count == 0) return RoundedSum(0.25 * corners, size);
-        if (corner_count == 4 && middle_count == 4) return RoundedSum(0.5 * middles - 0.25 * corners, size);
+        // Each of the values may be off, and the weights' sizes add up to 1 and to 3.
+        if (corner_count == 4 && middle_count == 0) return RoundedSum(0.25 * corners, size, 2 * bound);
+        if (corner_count == 4 && middle_count == 4)
+            return RoundedSum(0.5 * middles - 0.25 * corners, size, 4 * bound);
         return std::nullopt;
     }
 };
@@ -277,7 +287,7 @@ struct ValueCheck {
             }
             const MiddleTable& between = result.info.corner_only ? *middles : kNone;
             const Comparison comparison{
-                source.mesh(), result, rows, between, part, *field, vertex_elements[p]};
+                source.mesh(), result, rows, between, part, *field, vertex_elements[p], said.bound};
             for (std::size_t v = 0; v < part.positions.size(); ++v) {
                 if (part.node_ids[v] == 0) continue;
                 tally.count(comparison.agrees(v), [&] {
@@ -292,6 +302,7 @@ struct ValueCheck {
                     );
                 });
             }
+            centres[p].bound = said.bound;
             check_centres(centres[p], *field, result.component_count(), tally);
         }
         count_statements(source.mesh(), result, said, said.values[values], tally);

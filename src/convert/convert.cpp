@@ -44,6 +44,9 @@ OutputKind output_kind(const std::string& path) {
 
 /// Everything that can be known to fail is found before the work begins.
 void check_output(const Job& job) {
+    const OutputKind kind = output_kind(job.output);
+    if (job.compress && kind != OutputKind::Glb && kind != OutputKind::Gltf)
+        throw Error(Code::BadOption, job.output, "only scenes (.glb, .gltf, .html) can be compressed");
     const std::filesystem::path path(job.output);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     std::error_code error;

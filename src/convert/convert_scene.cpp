@@ -9,6 +9,7 @@
 #include "feelem/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -24,6 +25,10 @@ void fill_extremes(
         SceneValues& values = result.values[i];
         for (const ComponentRange& range : ranges) {
             values.missing_in_model = std::max(values.missing_in_model, range.missing);
+            if (range.valid == 0) continue;
+            if (!result.range) result.range = std::array{range.min, range.max};
+            (*result.range)[0] = std::min((*result.range)[0], range.min);
+            (*result.range)[1] = std::max((*result.range)[1], range.max);
         }
         if (ranges.size() != 1 || ranges.front().valid == 0) continue;
         values.min = Extreme{ranges.front().min, ranges.front().min_id};
@@ -63,7 +68,8 @@ Surface skin_of(const Work& work) {
 }
 
 void write_as_scene(Work& work) {
-    const Surface surface = skin_of(work);
+    Surface surface = skin_of(work);
+    if (work.job.compress) order_for_drawing(surface);
     SceneValueStore store(work.source, surface, work.plan);
     store.read_all(work.progress);
     report_interpolation(work, store.interpolated());
@@ -100,7 +106,10 @@ void write_as_scene(Work& work) {
         return store.take_field(result, values);
     };
     report_progress(work.progress, "write", 0);
-    write_scene(contents, work.job.output, {}, work.diagnostics);
+    SceneOptions options;
+    options.compress = work.job.compress;
+    options.bound = work.job.compress_bound;
+    write_scene(contents, work.job.output, options, work.diagnostics);
 }
 
 }  // namespace feelem

@@ -135,6 +135,7 @@ ProbedValue value_at(
     value.component = result.components[target.component];
     value.unit = result.unit;
     value.state = "missing";
+    value.bound = result.bound;
     if (const auto vertex = nearest_vertex(part, place)) value.node_id = part.node_ids[*vertex];
     if (const SceneField* field = field_at(scene, target.result, step, place.part)) {
         read_value(part, place, *field, target, result.components.size(), value);

@@ -201,6 +201,7 @@ Json place_json(const ProbedPlace& place) {
              {"nodeId", or_null(value.node_id)},
              {"state", value.state}}
         );
+        if (value.bound > 0) json["results"].back()["bound"] = number(value.bound);
     }
     json["colour"] = nullptr;
     if (const auto& rgb = place.colour) {

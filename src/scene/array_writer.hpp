@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -28,12 +30,24 @@ struct ArraySpec {
     std::uint64_t count = 0;
     int target = 0;
     bool bounds = true;  ///< min and max in the accessor.
+    /// Floats are rounded to whole multiples of this power of two; 0: written as they are.
+    float grid = 0;
+    std::optional<gltf::Steps> steps{};  ///< Floats that stand on these steps are stored as their numbers.
 };
 
-/// One array after the other, into any buffer of the document. Memory: one block.
+/// The nearest multiple of a power of two; the value itself where float32 is no finer.
+inline float on_grid(double value, float grid) {
+    return static_cast<float>(grid > 0 ? std::nearbyint(value / grid) * grid : value);
+}
+
+/// One array after the other, into any buffer of the document. Memory: one block, or one array when packed.
 class ArrayWriter {
 public:
     explicit ArrayWriter(gltf::Document& document) : document_(&document) {}
+
+    /// From now on arrays are packed by EXT_meshopt_compression.
+    void pack() noexcept { packs_ = true; }
+    bool packs() const noexcept { return packs_; }
 
     /// Later arrays go to this buffer (one of document.buffers).
     void direct_to(int buffer, ScratchFile& file) {
@@ -43,18 +57,22 @@ public:
     /// fill(row, float* out) gives each row. Returns the accessor's index.
     template <class Fill>
     int floats(const ArraySpec& spec, const Fill& fill) {
-        begin(spec, gltf::kFloat);
+        begin(spec, spec.steps ? gltf::kUnsignedInt : gltf::kFloat);
         std::array<float, 3> row{};
         for (std::uint64_t i = 0; i < spec.count; ++i) {
             fill(static_cast<std::size_t>(i), row.data());
             for (unsigned c = 0; c < spec.components; ++c) {
+                if (spec.grid > 0) row[c] = on_grid(static_cast<double>(row[c]), spec.grid);
                 // Bounds count -0 as 0: both compare equal, and JSON readers differ on -0.
                 low_[c] = std::min(low_[c], row[c]);
                 high_[c] = std::max(high_[c], row[c]);
             }
-            put(std::as_bytes(std::span(row).first(spec.components)));
+            if (spec.steps)
+                put_steps(std::span(row).first(spec.components), *spec.steps);
+            else
+                put(std::as_bytes(std::span(row).first(spec.components)));
         }
-        return end(spec);
+        return end(spec, Packing::Attributes);
     }
     /// fill(row) gives an unsigned number; as shorts when `most` allows it (65535 is the restart value).
     template <class Fill>
@@ -69,7 +87,13 @@ public:
             else
                 put(std::as_bytes(std::span(&number, 1)));
         }
-        return end(spec);
+        const bool of_lines = spec.name.ends_with("edges/indices");
+        return end(
+            spec,
+            spec.target != gltf::kIndexTarget ? Packing::Attributes
+            : of_lines                        ? Packing::Indices
+                                              : Packing::Triangles
+        );
     }
     /// A file as it is (a picture): a bufferView without accessor; its index.
     int blob(std::span<const std::byte> bytes);
@@ -78,9 +102,11 @@ public:
 
 private:
     void begin(const ArraySpec& spec, int component_type);
-    int end(const ArraySpec& spec);
+    int end(const ArraySpec& spec, Packing mode);
+    void write_packed(const ArraySpec& spec, Packing mode);
+    void put_steps(std::span<const float> row, const gltf::Steps& steps);
     void put(std::span<const std::byte> bytes) {
-        if (block_.size() + bytes.size() > kBlock) flush();
+        if (!packs_ && block_.size() + bytes.size() > kBlock) flush();
         block_.insert(block_.end(), bytes.begin(), bytes.end());
     }
     void flush();
@@ -88,6 +114,7 @@ private:
     static constexpr std::size_t kBlock = 1u << 16;
     gltf::Document* document_;
     int buffer_ = 0;
+    bool packs_ = false;
     ScratchFile* file_ = nullptr;
     std::vector<std::byte> block_;
     std::unique_ptr<Sha256> digest_;

@@ -2,7 +2,10 @@
 // The part of glTF 2.0 that a scene uses, as plain structs: written by gltf_json, read by scene_json.
 #pragma once
 
+#include "scene/packed_arrays.hpp"
+
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +21,14 @@ inline constexpr int kNearest = 9728, kLinear = 9729;
 
 using Attributes = std::vector<std::pair<std::string, int>>;  ///< Semantic -> accessor.
 
+/// A value is offset + step * number, computed in double and rounded once to float32. Numbers are signed, of
+/// 32 bits; glTF, which has no such type, sees their bits as unsigned ones.
+struct Steps {
+    double offset = 0, step = 0;
+
+    float value(double number) const { return static_cast<float>(offset + step * number); }
+    double number(double value) const { return std::nearbyint((value - offset) / step); }
+};
 struct Buffer {
     std::string uri;  ///< Empty: the chunk of the .glb.
     std::uint64_t bytes = 0;
@@ -26,6 +37,8 @@ struct View {
     int buffer = 0;
     std::uint64_t offset = 0, bytes = 0;
     int target = 0;  ///< 0: data.
+    /// Then buffer, offset and bytes are those of the unpacked array in the buffer that nobody stores.
+    std::optional<PackedView> packed{};
 };
 struct Accessor {
     std::string name;
@@ -34,6 +47,7 @@ struct Accessor {
     unsigned components = 1;  ///< 1: SCALAR, 2, 3: VEC2, VEC3
     std::uint64_t count = 0;
     std::vector<double> min, max;
+    std::optional<Steps> steps{};  ///< The numbers are steps.
 };
 struct Mapping {
     int material = 0;
@@ -93,6 +107,7 @@ struct Document {
     std::vector<int> samplers;  ///< Filter of each: kNearest or kLinear.
     std::vector<Animation> animations;
     std::vector<std::string> variants;
+    std::uint64_t unpacked_bytes = 0;  ///< Of all packed views: the length of the buffer that nobody stores.
 };
 
 }  // namespace feelem::gltf

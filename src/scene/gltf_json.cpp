@@ -35,9 +35,35 @@ void write_buffer(JsonText& json, const Buffer& buffer) {
     json.member("byteLength", buffer.bytes);
 }
 
+constexpr std::string_view kPackedExtension = "EXT_meshopt_compression";
+
 void write_view(JsonText& json, const View& view) {
     json.member("buffer", view.buffer).member("byteOffset", view.offset).member("byteLength", view.bytes);
     if (view.target != 0) json.member("target", view.target);
+    if (!view.packed) return;
+    const PackedView& packed = *view.packed;
+    json.key("extensions").begin_object().key(kPackedExtension).begin_object();
+    json.member("buffer", packed.buffer).member("byteOffset", packed.offset);
+    json.member("byteLength", packed.bytes).member("byteStride", packed.stride).member("count", packed.count);
+    json.member("mode", packing_word(packed.mode));
+    if (packed.filter != PackingFilter::None) json.member("filter", packing_filter_word(packed.filter));
+    json.end_object().end_object();
+}
+
+/// Packed views lie in a buffer that is nowhere stored: loaders that do not know the extension see that.
+void write_buffers(JsonText& json, const Document& document) {
+    json.key("buffers").begin_array();
+    for (const Buffer& buffer : document.buffers) {
+        json.begin_object();
+        write_buffer(json, buffer);
+        json.end_object();
+    }
+    if (document.unpacked_bytes > 0) {
+        json.begin_object().member("byteLength", document.unpacked_bytes).key("extensions").begin_object();
+        json.key(kPackedExtension).begin_object().member("fallback", true).end_object();
+        json.end_object().end_object();
+    }
+    json.end_array();
 }
 
 void write_accessor(JsonText& json, const Accessor& accessor) {
@@ -47,6 +73,10 @@ void write_accessor(JsonText& json, const Accessor& accessor) {
     json.member("type", kTypes[accessor.components]);
     write_list(json, "min", accessor.min);
     write_list(json, "max", accessor.max);
+    if (!accessor.steps) return;
+    json.key("extras").begin_object().key("feelem").begin_object();
+    json.member("offset", accessor.steps->offset).member("step", accessor.steps->step);
+    json.end_object().end_object();
 }
 
 void write_primitive(JsonText& json, const Primitive& primitive) {
@@ -140,7 +170,10 @@ void write_extensions(JsonText& json, const Document& document) {
     std::vector<std::string> used;
     if (unlit) used.push_back("KHR_materials_unlit");
     if (!document.variants.empty()) used.push_back("KHR_materials_variants");
+    if (document.unpacked_bytes > 0) used.emplace_back(kPackedExtension);
     write_list(json, "extensionsUsed", used);
+    if (document.unpacked_bytes > 0)
+        write_list(json, "extensionsRequired", std::vector<std::string>{std::string(kPackedExtension)});
     if (document.variants.empty()) return;
     json.key("extensions").begin_object().key("KHR_materials_variants").begin_object();
     write_all(json, "variants", document.variants, [](JsonText& out, const std::string& name) {
@@ -165,8 +198,12 @@ std::string to_json(const Document& document, std::string_view feelem_extras) {
     write_textures(json, document);
     write_all(json, "animations", document.animations, write_animation);
     write_all(json, "accessors", document.accessors, write_accessor);
-    write_all(json, "bufferViews", document.views, write_view);
-    write_all(json, "buffers", document.buffers, write_buffer);
+    std::vector<View> views = document.views;
+    for (View& view : views) {
+        if (view.packed) view.buffer = static_cast<int>(document.buffers.size());
+    }
+    write_all(json, "bufferViews", views, write_view);
+    write_buffers(json, document);
     json.key("extras").begin_object().key("feelem").raw(feelem_extras).end_object().end_object();
     return json.text();
 }

@@ -31,6 +31,7 @@ struct WrittenField {
     std::vector<std::string> masks;                   ///< Per part; empty: all are the solver's.
     std::optional<Extreme> min, max;                  ///< Scalars: of the solver's values on the skin.
     std::uint64_t missing = 0, interpolated = 0;      ///< Vertices.
+    bool exact = true;                                ///< The values are the solver's, bit for bit.
 };
 
 /// A result that gets a texture coordinate, materials and variants.
@@ -61,6 +62,11 @@ struct Box {
     double largest() const;
 };
 
+/// What a normal is rounded to where positions are: a direction is off by 0.2 degrees at most.
+inline constexpr float kNormalGrid = 0x1p-8F;
+/// The same for texture coordinates: the distance that a value at the end of a range keeps from it.
+inline constexpr float kTexcoordGrid = 0x1p-15F;
+
 struct SceneBuild {
     const SceneContents& contents;
     const SceneOptions& options;
@@ -70,6 +76,8 @@ struct SceneBuild {
     Box box{};  ///< Of the drawn positions, model units, before the shift.
     Point3 origin{};
     double largest_rounding = 0;
+    float grid = 0;  ///< Positions are whole multiples of it; 0: as they are.
+    std::vector<std::optional<gltf::Steps>> steps{};   ///< Per result: on what its values stand.
     double area = 0, volume = 0;                       ///< Of the float32 positions.
     std::vector<std::vector<WrittenField>> written{};  ///< [result][values]
     std::vector<std::string> attribute_names{};        ///< Per result: "_TEMPERATURE".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene_check_shown.hpp"
 
+#include "scene/scene_build.hpp"
 #include "scene/scene_read.hpp"
 
 #include "feelem/error.hpp"
@@ -25,6 +26,9 @@ struct Shown {
 
     const SceneDocument& document() const { return file.document(); }
     const SceneResult& result(std::size_t index) const { return document().scene.results[index]; }
+
+    /// Positions and all that is drawn stand on grids: kNormalGrid, kTexcoordGrid, and their own.
+    bool is_rounded() const { return document().scene.position_bound > 0; }
 
     void count(const std::string& name, std::size_t vertices, std::size_t wrong, const std::string& first) {
         const std::string all = fmt::format("{} of {} agree", vertices, vertices);
@@ -72,14 +76,14 @@ double component_at(const SceneField& field, const SceneResult& result, std::siz
 }
 
 /// The palette runs from 1/16 to 15/16 of the texture; a value at an end may stand 2^-15 inside it.
-bool is_place_of(double value, const ValueRange& range, const float* place) {
+bool is_place_of(double value, const ValueRange& range, const float* place, double grid) {
     if (!std::isfinite(value)) return place[0] == 0.5F && place[1] == 1.0F;
     const double u = place[0];
     const Normalised where = normalise(value, range);
     if (place[1] != 0.0F || where.missing) return false;
     if (where.below) return u < 1.0 / 16;
     if (where.above) return u > 15.0 / 16;
-    return std::abs(u - (1.0 / 16 + 14.0 / 16 * where.position)) <= 1.0 / 32768 + 1e-6;
+    return std::abs(u - (1.0 / 16 + 14.0 / 16 * where.position)) <= 1.0 / 32768 + 1e-6 + grid;
 }
 
 /// The range that the presentation and the results give for a coloured result.
@@ -116,6 +120,7 @@ void check_texcoord(Shown& shown, const TexcoordClaim& claim) {
     if (component < 0 && result.components.size() != 3)
         throw Error(Code::BadScene, shown.file.path(), name + " are of a component that is not there");
     Count count;
+    const double grid = shown.is_rounded() ? static_cast<double>(kTexcoordGrid) : 0;
     for (std::size_t p = 0; p < shown.parts.size(); ++p) {
         const auto field = read_field(shown.file, shown.parts, {claim.result, *values, p});
         const std::string semantic = fmt::format("TEXCOORD_{}", claim.set);
@@ -123,7 +128,7 @@ void check_texcoord(Shown& shown, const TexcoordClaim& claim) {
         const std::vector<float> places = shown.floats(p, accessor, 2);
         for (std::size_t v = 0; v < shown.parts[p].positions.size(); ++v) {
             const double value = field ? component_at(*field, result, v, component) : NAN;
-            count.take(is_place_of(value, claim.range, places.data() + 2 * v), shown.parts[p], v);
+            count.take(is_place_of(value, claim.range, places.data() + 2 * v, grid), shown.parts[p], v);
         }
     }
     shown.count(name, count.vertices, count.wrong, count.first);
@@ -156,7 +161,8 @@ void check_target(const Shown& shown, const FieldAddress& address, int target, d
         bool right = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double move = known ? factor * static_cast<double>(at[axis]) : 0;
-            right = right && moves[3 * v + axis] == static_cast<float>(move);
+            right = right && std::abs(static_cast<double>(moves[3 * v + axis] - static_cast<float>(move))) <=
+                                 shown.document().scene.position_bound;
         }
         count.take(right, part, v);
     }
@@ -217,7 +223,9 @@ void check_normals(Shown& shown) {
         }
         for (std::size_t v = 0; v < part.positions.size(); ++v) {
             const double length = std::hypot(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]);
-            count.take(std::abs(length - 1) < 1e-5 && best[v] >= 0, part, v);
+            const bool unit =
+                std::abs(length - 1) < (shown.is_rounded() ? 2 * static_cast<double>(kNormalGrid) : 1e-5);
+            count.take(unit && (best[v] >= 0 || shown.is_rounded()), part, v);
         }
     }
     shown.count("normals", count.vertices, count.wrong, count.first);

@@ -146,12 +146,14 @@ void write_texcoords(SceneBuild& build, const SurfaceField& field, std::size_t s
     for (ScenePartBuild& part : build.parts) {
         const std::size_t first = part.range->first_vertex;
         const std::string semantic = fmt::format("TEXCOORD_{}", set);
-        const ArraySpec spec{
-            part.prefix + semantic, 2, part.range->vertex_count, gltf::kAttributeTarget, false};
+        ArraySpec spec{part.prefix + semantic, 2, part.range->vertex_count, gltf::kAttributeTarget, false};
+        // Downwards, so that no value changes sides at the ends of the range.
+        spec.grid = build.grid > 0 ? kTexcoordGrid : 0;
         const int accessor = build.arrays.floats(spec, [&](std::size_t row, float* out) {
             const bool missing = field.validity[first + row] == Validity::Missing;
             const double value = missing ? NAN : component_value(field, first + row, coloured.component);
             std::ranges::copy(texcoord_of(value, coloured.range), out);
+            if (spec.grid > 0) out[0] = std::floor(out[0] / spec.grid) * spec.grid;
         });
         part.mesh.primitive.attributes.emplace_back(semantic, accessor);
     }

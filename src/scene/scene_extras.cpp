@@ -106,6 +106,11 @@ std::string_view shape_word(Shape shape) {
     return "other";
 }
 
+double range_width(const SceneResult& result) {
+    const auto range = result.range.value_or(std::array{0.0F, 0.0F});
+    return static_cast<double>(range[1]) - static_cast<double>(range[0]);
+}
+
 void write_result(JsonText& json, const SceneBuild& build, std::size_t index) {
     const SceneResult& result = build.contents.results[index];
     json.begin_object().member("id", result.id).member("attribute", build.attribute_names[index]);
@@ -122,7 +127,11 @@ void write_result(JsonText& json, const SceneBuild& build, std::size_t index) {
         json.value(word(result.complex));
     json.key("layer").text_or_null(word(result.layer)).key("shear").text_or_null(word(result.shear));
     json.key("system").text_or_null(result.system);
-    json.member("derived", result.derived).key("values").begin_array();
+    json.member("derived", result.derived);
+    const auto& written = build.written[index];
+    if (!std::ranges::all_of(written, &WrittenField::exact))
+        json.member("bound", build.options.bound * range_width(result));
+    json.key("values").begin_array();
     for (std::size_t v = 0; v < result.values.size(); ++v)
         write_values(json, result, result.values[v], build.written[index][v]);
     json.end_array().end_object();
@@ -204,6 +213,8 @@ std::string extras_text(const SceneBuild& build) {
     json.member("upAxis", std::string_view(&contents.up, 1)).key("origin").begin_array();
     for (const double coordinate : build.origin) json.value(coordinate);
     json.end_array();
+    // Half a step of the grid, and what rounding to float32 before it may add.
+    if (build.grid > 0) json.member("positionBound", 0.5 * static_cast<double>(build.grid) * (1 + 1e-6));
     write_parts(json, build);
     write_steps(json, contents);
     json.key("results").begin_array();

@@ -111,7 +111,25 @@ void take_extremes(
 struct FieldTask {
     std::size_t result = 0, values = 0;
     bool shown = false;  ///< Its accessors are attributes of the parts.
+    std::optional<gltf::Steps> steps{};
+    /// Numbers of steps are no values: as attributes they would mislead those who know nothing of them.
+    bool as_attribute() const { return shown && !steps; }
 };
+
+/// Rounds to the steps of the result. Nothing, and the field as it was, when one of its values is beyond
+/// them.
+std::optional<gltf::Steps> round_to_steps(const std::optional<gltf::Steps>& steps, SurfaceField& field) {
+    if (!steps) return std::nullopt;
+    constexpr double kMost = 2147483647.0;
+    for (const float value : field.values) {
+        const double number = std::isfinite(value) ? steps->number(static_cast<double>(value)) : 0;
+        if (!(std::abs(number) <= kMost)) return std::nullopt;
+    }
+    for (float& value : field.values) {
+        if (std::isfinite(value)) value = steps->value(steps->number(static_cast<double>(value)));
+    }
+    return steps;
+}
 
 void write_part_values(
     SceneBuild& build, const FieldTask& task, ScenePartBuild& part, const PartRows& rows, WrittenField& out
@@ -119,20 +137,21 @@ void write_part_values(
     const SceneResult& result = build.contents.results[task.result];
     const std::size_t step = step_id(result.values[task.values]);
     const std::string& attribute = build.attribute_names[task.result];
-    const int target = task.shown ? gltf::kAttributeTarget : 0;
+    const int target = task.as_attribute() ? gltf::kAttributeTarget : 0;
     const auto name_of = [&](const std::string& name) {
         return fmt::format("{}{}/{}", part.prefix, name, step);
     };
     std::vector<std::string> names;
     for (const AttributeSlot& slot : attribute_slots(result, attribute)) {
-        const ArraySpec spec{name_of(slot.name), slot.count, rows.count, target};
+        ArraySpec spec{name_of(slot.name), slot.count, rows.count, target};
+        spec.steps = task.steps;
         const int accessor = build.arrays.floats(spec, [&](std::size_t row, float* values) {
             const bool missing = rows.validity(row) == Validity::Missing;
             for (unsigned c = 0; c < slot.count; ++c)
                 values[c] = missing ? rows.stand_in[slot.first + c] : rows.at(row, slot.first + c);
         });
         names.push_back(spec.name);
-        if (task.shown) part.mesh.primitive.attributes.emplace_back(slot.name, accessor);
+        if (task.as_attribute()) part.mesh.primitive.attributes.emplace_back(slot.name, accessor);
     }
     out.accessors.back() = std::move(names);
     if (rows.all_solver) return;
@@ -141,7 +160,7 @@ void write_part_values(
         *value = static_cast<float>(rows.validity(row));
     });
     out.masks.back() = mask.name;
-    if (task.shown) part.mesh.primitive.attributes.emplace_back(attribute + "_VALID", accessor);
+    if (task.as_attribute()) part.mesh.primitive.attributes.emplace_back(attribute + "_VALID", accessor);
 }
 
 void write_shape(SceneBuild& build, const SurfaceField& field, std::size_t shape, std::size_t step) {
@@ -149,11 +168,12 @@ void write_shape(SceneBuild& build, const SurfaceField& field, std::size_t shape
     for (ScenePartBuild& part : build.parts) {
         const std::string suffix = shape == 0 ? "" : "/im";
         const std::size_t first = part.range->first_vertex;
-        const ArraySpec spec{
+        ArraySpec spec{
             fmt::format("{}deformation/{}{}", part.prefix, step, suffix),
             3,
             part.range->vertex_count,
             gltf::kAttributeTarget};
+        spec.grid = build.grid;
         part.mesh.primitive.targets.push_back(build.arrays.floats(spec, [&](std::size_t row, float* out) {
             const float* value = field.values.data() + (first + row) * 3;
             const bool known = std::isfinite(value[0]) && std::isfinite(value[1]) && std::isfinite(value[2]);
@@ -163,15 +183,17 @@ void write_shape(SceneBuild& build, const SurfaceField& field, std::size_t shape
     }
 }
 
-void write_field(SceneBuild& build, const FieldTask& task) {
+void write_field(SceneBuild& build, FieldTask task) {
     const SceneResult& result = build.contents.results[task.result];
-    const SurfaceField field = build.contents.load(task.result, task.values);
+    SurfaceField field = build.contents.load(task.result, task.values);
     const std::size_t vertices = build.contents.surface->positions.size();
     if (field.component_count != result.components.size() || field.validity.size() != vertices ||
         field.values.size() != vertices * field.component_count) {
         throw Error(Code::BadStructure, "", "the field of " + result.id + " does not fit the skin");
     }
     WrittenField& out = build.written[task.result][task.values];
+    task.steps = round_to_steps(build.steps[task.result], field);
+    out.exact = !task.steps;
     for (ScenePartBuild& part : build.parts) {
         const PartRows rows = look_at(build, field, part);
         out.accessors.emplace_back();
@@ -264,14 +286,32 @@ std::vector<AttributeSlot> attribute_slots(const SceneResult& result, const std:
     return slots;
 }
 
+/// At most twice the bound apart, a little less for the rounding to float32. Both ends of the range are
+/// steps, so that nothing lies beyond them that did not: counted from the end nearer to zero, which keeps the
+/// other one exact too.
+std::optional<gltf::Steps> steps_of(const SceneResult& result, double bound) {
+    if (!(bound > 0) || !result.range) return std::nullopt;
+    const double low = static_cast<double>((*result.range)[0]),
+                 high = static_cast<double>((*result.range)[1]);
+    const double rounding = std::max(std::abs(low), std::abs(high)) * 0x1p-23;
+    const double width = 2 * (bound * (high - low) - rounding);
+    // Steps hardly wider than float32's own save nothing.
+    if (!(width > 8 * rounding) || !std::isfinite(width)) return std::nullopt;
+    const double step = (high - low) / std::ceil((high - low) / width);
+    if (std::abs(low) <= std::abs(high)) return gltf::Steps{low, step};
+    return gltf::Steps{high, -step};
+}
+
 void write_fields(SceneBuild& build, SceneFiles& files) {
+    for (const SceneResult& result : build.contents.results)
+        build.steps.push_back(steps_of(result, build.options.compress ? build.options.bound : 0));
     const bool embed = files.is_glb && bytes_aside(build) < build.options.embed_limit;
     const std::vector<SceneResult>& results = build.contents.results;
     build.written.resize(results.size());
     for (std::size_t r = 0; r < results.size(); ++r) {
         build.written[r].resize(results[r].values.size());
         for (std::size_t v = 0; v < results[r].values.size(); ++v) {
-            const FieldTask task{r, v, is_attribute(build, r, v)};
+            const FieldTask task{r, v, is_attribute(build, r, v), {}};
             const bool inside = embed || task.shown || results[r].values[v].step == build.contents.shown_step;
             if (inside)
                 write_field(build, task);

@@ -60,6 +60,16 @@ std::string safe_path(const std::string& scene, const std::string& uri) {
     return (fs::path(scene).parent_path() / relative).string();
 }
 
+std::vector<float> values_on_steps(std::span<const std::byte> bytes, const gltf::Steps& steps) {
+    std::vector<float> values(bytes.size() / 4);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        std::int32_t number = 0;
+        std::memcpy(&number, &bytes[4 * i], 4);
+        values[i] = steps.value(number);
+    }
+    return values;
+}
+
 }  // namespace
 
 SceneFile::SceneFile(const std::string& path) : path_(path), main_(Input::from_file(path)) {
@@ -97,6 +107,27 @@ const Input& SceneFile::buffer(int index) const {
     return *input;
 }
 
+std::span<const std::byte> SceneFile::buffer_bytes(int index) const {
+    const bool in_chunk = document_.buffers[static_cast<std::size_t>(index)].uri.empty();
+    return in_chunk ? main_.bytes().subspan(binary_begin_, binary_size_) : buffer(index).bytes();
+}
+
+std::span<const std::byte> SceneFile::view_bytes(const ReadView& view, std::vector<std::byte>& room) const {
+    const auto cut = [this](std::span<const std::byte> bytes, std::uint64_t offset, std::uint64_t size) {
+        if (offset > bytes.size() || size > bytes.size() - offset)
+            bad("a bufferView reaches beyond its buffer");
+        return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
+    };
+    if (!view.view.packed) return cut(buffer_bytes(view.view.buffer), view.view.offset, view.view.bytes);
+    const PackedView& packed = *view.view.packed;
+    std::optional<std::vector<std::byte>> rows =
+        unpack(cut(buffer_bytes(packed.buffer), packed.offset, packed.bytes), packed);
+    if (!rows || rows->size() != view.view.bytes)
+        bad("a packed bufferView does not hold what it says: damaged?");
+    room = std::move(*rows);
+    return room;
+}
+
 std::vector<std::byte> SceneFile::packed(int accessor) const {
     const ReadAccessor& read = document_.accessors[static_cast<std::size_t>(accessor)];
     const gltf::Accessor& array = read.accessor;
@@ -107,19 +138,16 @@ std::vector<std::byte> SceneFile::packed(int accessor) const {
     if (array.view < 0 || width == 0 || array.components == 0)
         bad(fmt::format("accessor '{}' is of a kind that scenes do not have", array.name));
     const ReadView& view = document_.views[static_cast<std::size_t>(array.view)];
-    const bool in_chunk = document_.buffers[static_cast<std::size_t>(view.view.buffer)].uri.empty();
-    std::span<const std::byte> bytes =
-        in_chunk ? main_.bytes().subspan(binary_begin_, binary_size_) : buffer(view.view.buffer).bytes();
+    std::vector<std::byte> room;
+    std::span<const std::byte> bytes = view_bytes(view, room);
     const std::size_t row = width * array.components;
     const std::uint64_t stride = view.stride == 0 ? row : view.stride;
-    const bool view_fits =
-        view.view.offset <= bytes.size() && view.view.bytes <= bytes.size() - view.view.offset;
     const bool row_fits =
-        stride >= row && view_fits && read.offset <= view.view.bytes &&
-        (array.count == 0 || (view.view.bytes - read.offset >= row &&
-                              (array.count - 1) <= (view.view.bytes - read.offset - row) / stride));
+        stride >= row && read.offset <= bytes.size() &&
+        (array.count == 0 || (bytes.size() - read.offset >= row &&
+                              (array.count - 1) <= (bytes.size() - read.offset - row) / stride));
     if (!row_fits) bad(fmt::format("accessor '{}' reaches beyond its buffer", array.name));
-    bytes = bytes.subspan(static_cast<std::size_t>(view.view.offset + read.offset));
+    bytes = bytes.subspan(static_cast<std::size_t>(read.offset));
     std::vector<std::byte> out(static_cast<std::size_t>(array.count) * row);
     if (stride == row) {
         if (!out.empty()) std::memcpy(out.data(), bytes.data(), out.size());
@@ -132,9 +160,11 @@ std::vector<std::byte> SceneFile::packed(int accessor) const {
 
 std::vector<float> SceneFile::floats(int accessor, unsigned components) const {
     const gltf::Accessor& array = document_.accessors[static_cast<std::size_t>(accessor)].accessor;
-    if (array.component_type != gltf::kFloat || array.components != components)
+    const bool as_steps = array.steps && array.component_type == gltf::kUnsignedInt;
+    if ((array.component_type != gltf::kFloat && !as_steps) || array.components != components)
         bad(fmt::format("accessor '{}' is not {} floats a row", array.name, components));
     const std::vector<std::byte> bytes = packed(accessor);
+    if (as_steps) return values_on_steps(bytes, *array.steps);
     std::vector<float> out(bytes.size() / sizeof(float));
     if (!out.empty()) std::memcpy(out.data(), bytes.data(), bytes.size());
     return out;

@@ -29,6 +29,9 @@ public:
 
 private:
     const Input& buffer(int index) const;
+    /// Of a bufferView, wherever it lies, unpacked.
+    std::span<const std::byte> view_bytes(const ReadView& view, std::vector<std::byte>& room) const;
+    std::span<const std::byte> buffer_bytes(int index) const;
     [[noreturn]] void bad(const std::string& text) const;
 
     std::string path_;

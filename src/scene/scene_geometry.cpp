@@ -76,7 +76,13 @@ void choose_origin(SceneBuild& build, Diagnostics& diagnostics) {
 }
 
 float shifted(const SceneBuild& build, std::size_t vertex, std::size_t axis) {
-    return static_cast<float>(build.contents.surface->positions[vertex][axis] - build.origin[axis]);
+    return on_grid(build.contents.surface->positions[vertex][axis] - build.origin[axis], build.grid);
+}
+
+/// The power of two that divides the largest side into 65,536 pieces or up to twice as many.
+void choose_grid(SceneBuild& build) {
+    if (!build.options.compress || !(build.options.bound > 0) || !(build.box.largest() > 0)) return;
+    build.grid = static_cast<float>(std::exp2(std::floor(std::log2(build.box.largest() / 65536))));
 }
 
 std::int64_t node_id(const SceneBuild& build, std::size_t vertex) {
@@ -100,7 +106,8 @@ void write_node_ids(
         }
         high = high || id(i) >= kIdModulus;
     }
-    const ArraySpec low{prefix + "_NODE_ID", 1, count, gltf::kAttributeTarget};
+    ArraySpec low{prefix + "_NODE_ID", 1, count, gltf::kAttributeTarget};
+    low.grid = 1;
     attributes.emplace_back("_NODE_ID", build.arrays.floats(low, [&](std::size_t i, float* out) {
         *out = static_cast<float>(id(i) % kIdModulus);
     }));
@@ -142,11 +149,13 @@ void write_vertices(SceneBuild& build, ScenePartBuild& part) {
     const std::size_t first = part.range->first_vertex;
     const std::size_t count = part.range->vertex_count;
     gltf::Attributes& attributes = part.mesh.primitive.attributes;
-    const ArraySpec positions{part.prefix + "POSITION", 3, count, gltf::kAttributeTarget};
+    ArraySpec positions{part.prefix + "POSITION", 3, count, gltf::kAttributeTarget};
+    positions.grid = build.grid;
     attributes.emplace_back("POSITION", build.arrays.floats(positions, [&](std::size_t i, float* out) {
         for (std::size_t axis = 0; axis < 3; ++axis) out[axis] = shifted(build, first + i, axis);
     }));
-    const ArraySpec normals{part.prefix + "NORMAL", 3, count, gltf::kAttributeTarget, false};
+    ArraySpec normals{part.prefix + "NORMAL", 3, count, gltf::kAttributeTarget, false};
+    normals.grid = build.grid > 0 ? kNormalGrid : 0;
     attributes.emplace_back("NORMAL", build.arrays.floats(normals, [&](std::size_t i, float* out) {
         std::ranges::copy(unit_normal(build.contents.surface->normals[first + i]), out);
     }));
@@ -177,7 +186,8 @@ void write_edges(SceneBuild& build, ScenePartBuild& part) {
     mesh.primitive.mode = gltf::kLines;
     const std::string prefix = part.prefix + "edges/";
     const double offset = 0.0005 * build.box.diagonal();
-    const ArraySpec positions{prefix + "POSITION", 3, used.size(), gltf::kAttributeTarget};
+    ArraySpec positions{prefix + "POSITION", 3, used.size(), gltf::kAttributeTarget};
+    positions.grid = build.grid;
     const int position = build.arrays.floats(positions, [&](std::size_t i, float* out) {
         const std::array<float, 3> normal = unit_normal(surface.normals[used[i]]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -222,6 +232,7 @@ void measure(SceneBuild& build) {
 
 void plan_parts(SceneBuild& build, Diagnostics& diagnostics) {
     choose_origin(build, diagnostics);
+    choose_grid(build);
     for (const SurfacePart& range : build.contents.surface->parts) {
         if (range.vertex_count == 0 || range.triangle_count == 0) continue;
         ScenePartBuild part;

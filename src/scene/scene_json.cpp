@@ -68,6 +68,40 @@ Enum from_word(std::string_view wanted, const std::array<Enum, N>& values) {
     return values[0];
 }
 
+/// Nothing when the view is not packed.
+std::optional<PackedView> read_packed(const json& view, std::size_t buffers) {
+    const auto extensions = view.find("extensions");
+    if (extensions == view.end() || !extensions->is_object()) return std::nullopt;
+    const auto found = extensions->find("EXT_meshopt_compression");
+    if (found == extensions->end()) return std::nullopt;
+    if (!found->is_object()) bad("EXT_meshopt_compression is not an object");
+    PackedView packed;
+    packed.buffer = index(*found, "buffer", buffers);
+    if (packed.buffer < 0) bad("a packed bufferView without buffer");
+    packed.offset = count(*found, "byteOffset");
+    packed.bytes = count(*found, "byteLength");
+    packed.count = count(*found, "count");
+    packed.stride = count(*found, "byteStride");
+    const std::string mode = text(*found, "mode"), filter = text(*found, "filter");
+    for (const Packing known : {Packing::Attributes, Packing::Triangles, Packing::Indices}) {
+        if (mode == packing_word(known)) packed.mode = known;
+    }
+    if (filter == packing_filter_word(PackingFilter::Exponential)) packed.filter = PackingFilter::Exponential;
+    const bool known_filter = filter.empty() || filter == packing_filter_word(packed.filter);
+    if (mode != packing_word(packed.mode) || !known_filter)
+        bad(fmt::format("a bufferView is packed as {:.20} {:.20}, which scenes do not have", mode, filter));
+    return packed;
+}
+
+/// How the numbers of an accessor become values.
+std::optional<gltf::Steps> read_steps(const json& accessor) {
+    const auto extras = accessor.find("extras");
+    if (extras == accessor.end() || !extras->is_object()) return std::nullopt;
+    const auto ours = extras->find("feelem");
+    if (ours == extras->end() || !ours->is_object()) return std::nullopt;
+    return gltf::Steps{number(*ours, "offset"), number(*ours, "step")};
+}
+
 void read_buffers(const json& root, SceneDocument& out) {
     for (const json& buffer : list(root, "buffers"))
         out.buffers.push_back({text(buffer, "uri"), count(buffer, "byteLength")});
@@ -78,6 +112,7 @@ void read_buffers(const json& root, SceneDocument& out) {
         read.view.offset = count(view, "byteOffset");
         read.view.bytes = count(view, "byteLength");
         read.stride = count(view, "byteStride");
+        read.view.packed = read_packed(view, out.buffers.size());
         out.views.push_back(read);
     }
 }
@@ -89,6 +124,7 @@ void read_accessors(const json& root, SceneDocument& out) {
         read.accessor.view = index(entry, "bufferView", out.views.size());
         read.accessor.component_type = static_cast<int>(count(entry, "componentType") & 0xFFFF);
         read.accessor.count = count(entry, "count");
+        read.accessor.steps = read_steps(entry);
         const std::string type = text(entry, "type");
         read.accessor.components = type == "SCALAR" ? 1 : type == "VEC2" ? 2 : type == "VEC3" ? 3 : 0;
         read.offset = count(entry, "byteOffset");
@@ -153,6 +189,7 @@ void read_head(const json& feelem, SceneDocument& out) {
              text(input, "sha256")}
         );
     }
+    scene.position_bound = number(feelem, "positionBound");
     const json& origin = need(feelem, "origin");
     if (!origin.is_array() || origin.size() != 3) bad("'origin' is not three numbers");
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -268,6 +305,7 @@ SceneResult read_result(const json& entry) {
         from_word(text(entry, "shear"), std::array{Shear::NotApplicable, Shear::Engineering, Shear::Tensor});
     if (entry.contains("system")) result.system = text(entry, "system");
     result.derived = entry.contains("derived") && entry["derived"] == true;
+    result.bound = number(entry, "bound");
     return result;
 }
 

@@ -36,6 +36,7 @@ void check_contents(const SceneContents& contents) {
 std::string build_scene(SceneBuild& build, SceneFiles& files, Diagnostics& diagnostics) {
     build.document.buffers.push_back({main_uri(files), 0});
     build.arrays.direct_to(0, *files.main);
+    if (build.options.compress) build.arrays.pack();
     plan_parts(build, diagnostics);
     build.attribute_names = name_attributes(build.contents.results);
     choose_coloured(build);
