@@ -6,20 +6,31 @@
 // and matches them exactly by their corners (facet_match.cpp). Duplicates, inverted elements, third owners
 // and unequal mid-side nodes do not cancel either, so that finding them costs nothing where there are none. A
 // facet is missed only if the hashes at a node add up to zero by chance: 2^-64 a node.
-// Data: 8 bytes a node in pass 1, 1 bit a node and 32 bytes a candidate in pass 2.
+// Data: 8 bytes a node in pass 1; 1 bit a node, 1 byte an element and the table of candidates in pass 2.
 #include "skin/facet_cancellation.hpp"
 
+#include "base/huge_pages.hpp"
 #include "base/parallel.hpp"
-#include "skin/facet_hash.hpp"
+#include "skin/facet_batch.hpp"
 #include "skin/facet_match.hpp"
+#include "skin/node_buckets.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstddef>
+#include <cstring>
+#include <span>
 #include <utility>
 
 namespace feelem {
 namespace {
+
+/// How many sums before its turn a sum is fetched from memory.
+constexpr std::size_t kAhead = 24;
+/// Elements whose candidates wait in the cache to be matched.
+constexpr std::size_t kCandidateChunk = 4096;
 
 /// A block of solids and where its elements start in the mesh.
 struct SolidBlock {
@@ -48,67 +59,76 @@ bool is_set_aside(const std::vector<bool>& set_aside, const SolidBlock& solids, 
     return !set_aside.empty() && set_aside[solids.first_element + position];
 }
 
-/// One bit a node: whether a hash is left there.
-class NodeMarks {
-public:
-    explicit NodeMarks(const std::vector<std::uint64_t>& sums) : words_((sums.size() + 63) / 64) {
-        parallel_chunks(words_.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) {
-                const std::size_t end = std::min(sums.size(), (i + 1) * 64);
-                std::uint64_t word = 0;
-                for (std::size_t node = i * 64; node < end; ++node)
-                    word |= std::uint64_t{sums[node] != 0} << (node % 64);
-                words_[i] = word;
-            }
-        });
+/// Calls visit(run, position of its first element) for elements [first, last) that are not set aside.
+template <class Visit>
+void for_each_run(
+    const SolidBlock& solids,
+    const std::vector<bool>& set_aside,
+    std::array<std::size_t, 2> range,
+    Visit visit
+) {
+    for (std::size_t i = range[0]; i < range[1];) {
+        std::size_t end = i;
+        const std::size_t last = std::min(range[1], i + FacetBatch::kElements);
+        while (end < last && !is_set_aside(set_aside, solids, end)) ++end;
+        if (end > i) visit(ElementRun{solids.block->type, solids.nodes(i).data(), end - i}, i);
+        i = end > i ? end : end + 1;
     }
-
-    bool operator()(std::uint32_t node) const { return (words_[node / 64] >> (node % 64)) & 1U; }
-
-    bool any(std::span<const NodeIndex> nodes) const {
-        std::uint64_t marked = 0;
-        for (const NodeIndex node : nodes) marked |= words_[raw(node) / 64] >> (raw(node) % 64);
-        return (marked & 1U) != 0;
-    }
-
-private:
-    std::vector<std::uint64_t> words_;
-};
+}
 
 /// Adds the facets of elements [first, last) at their smallest corners; returns how many collapse. `kShared`:
 /// other threads add there too.
-template <bool kShared, class Facets>
+template <bool kShared>
 std::uint64_t add_hashes(
-    const Facets& facets,
     const SolidBlock& solids,
     const std::vector<bool>& set_aside,
     std::array<std::size_t, 2> range,
     std::uint64_t* sums
 ) {
     std::uint64_t collapsed = 0;
-    const std::size_t width = solids.row->node_count;
-    const NodeIndex* nodes = solids.block->nodes.data() + range[0] * width;
-    for (std::size_t i = range[0]; i < range[1]; ++i, nodes += width) {
-        if (is_set_aside(set_aside, solids, i)) continue;
-        facets.visit(std::span(nodes, width), [&](std::size_t, FacetHash hash) {
-            collapsed += hash.value == 0 ? 1U : 0U;  // Adding 0 does no harm.
+    FacetBatch batch;
+    for_each_run(solids, set_aside, range, [&](ElementRun run, std::size_t) {
+        hash_facets(run, FacetHashes::Signed, batch);
+        const std::size_t count = run.count * solids.row->facet_count;
+        for (std::size_t i = 0; i < std::min(count, kAhead); ++i)
+            __builtin_prefetch(&sums[batch.lowest[i]], 1);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i + kAhead < count) __builtin_prefetch(&sums[batch.lowest[i + kAhead]], 1);
+            collapsed += batch.hashes[i] == 0 ? 1U : 0U;  // Adding 0 does no harm.
+            std::uint64_t& sum = sums[batch.lowest[i]];
             if constexpr (kShared) {
-                std::atomic_ref(sums[hash.lowest]).fetch_add(hash.value, std::memory_order_relaxed);
+                std::atomic_ref(sum).fetch_add(batch.hashes[i], std::memory_order_relaxed);
             } else {
-                sums[hash.lowest] += hash.value;
+                sum += batch.hashes[i];
             }
-        });
-    }
+        }
+    });
     return collapsed;
 }
 
-NodeMarks nodes_with_a_rest(
+/// The nodes at which a hash is left.
+NodeRanks marked(const std::vector<std::uint64_t>& sums) {
+    std::vector<std::uint64_t> words((sums.size() + 63) / 64);
+    parallel_chunks(words.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const auto here =
+                std::span(sums).subspan(i * 64, std::min<std::size_t>(sums.size() - i * 64, 64));
+            std::uint64_t any = 0;
+            for (const std::uint64_t sum : here) any |= sum;
+            for (std::size_t k = 0; any != 0 && k < here.size(); ++k)
+                words[i] |= std::uint64_t{here[k] != 0} << k;
+        }
+    });
+    return NodeRanks(std::move(words));
+}
+
+NodeRanks nodes_with_a_rest(
     const Mesh& mesh,
     const std::vector<SolidBlock>& blocks,
     const std::vector<bool>& set_aside,
     OuterFacets& found
 ) {
-    std::vector<std::uint64_t> sums(mesh.node_count());
+    auto sums = big_zeros<std::uint64_t>(mesh.node_count());
     std::atomic<std::uint64_t> collapsed{0};
     const bool is_shared = thread_count() > 1;
     for (const SolidBlock& solids : blocks) {
@@ -118,61 +138,114 @@ NodeMarks nodes_with_a_rest(
             if (is_set_aside(set_aside, solids, i)) found.of_set_aside += solids.row->facet_count;
         }
         parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
-            facet_hash::with_facets_of(solids.block->type, [&](const auto& facets) {
-                const std::array range{first, last};
-                collapsed += is_shared ? add_hashes<true>(facets, solids, set_aside, range, sums.data())
-                                       : add_hashes<false>(facets, solids, set_aside, range, sums.data());
-            });
+            const std::array range{first, last};
+            collapsed += is_shared ? add_hashes<true>(solids, set_aside, range, sums.data())
+                                   : add_hashes<false>(solids, set_aside, range, sums.data());
         });
     }
     found.collapsed = collapsed;
-    return NodeMarks(sums);
+    return marked(sums);
 }
 
-template <class Facets>
-void add_candidates(
-    const Facets& facets,
-    const NodeMarks& marks,
+/// Elements that have a marked node, next to each other.
+struct Survivors {
+    std::array<NodeIndex, FacetBatch::kElements * kMaxElementNodes> nodes;
+    std::array<std::uint32_t, FacetBatch::kElements> positions;
+    std::size_t count = 0;
+};
+
+void add_candidates_of(
     const SolidBlock& solids,
+    const NodeRanks& marks,
+    const Survivors& survivors,
+    std::vector<FacetCandidate>& found
+) {
+    FacetBatch batch;
+    hash_facets({solids.block->type, survivors.nodes.data(), survivors.count}, FacetHashes::Corners, batch);
+    std::size_t at = 0;
+    for (std::size_t e = 0; e < survivors.count; ++e) {
+        for (std::uint8_t facet = 0; facet < solids.row->facet_count; ++facet, ++at) {
+            if (batch.hashes[at] == 0 || !marks.has(batch.lowest[at])) continue;
+            found.push_back(
+                {batch.hashes[at],
+                 marks(NodeIndex{batch.lowest[at]}),
+                 {survivors.positions[e], solids.index, facet}}
+            );
+        }
+    }
+}
+
+/// The facets at marked nodes of elements [first, last).
+void find_candidates(
+    const SolidBlock& solids,
+    const NodeRanks& marks,
     const std::vector<bool>& set_aside,
     std::array<std::size_t, 2> range,
     std::vector<FacetCandidate>& found
 ) {
-    const auto rows = facets_of(solids.block->type);
-    for (std::size_t i = range[0]; i < range[1]; ++i) {
-        const auto nodes = solids.nodes(i);
-        if (!marks.any(nodes.first(solids.row->corner_count)) || is_set_aside(set_aside, solids, i)) continue;
-        facets.visit(nodes, [&](std::size_t facet, FacetHash hash) {
-            if (hash.value == 0 || !marks(hash.lowest)) return;
-            const FacetRef ref{static_cast<std::uint32_t>(i), solids.index, static_cast<std::uint8_t>(facet)};
-            found.push_back({sorted_corners(outline_of(rows[facet], nodes)), hash.value, ref});
-        });
+    Survivors survivors;
+    const std::size_t width = solids.row->node_count;
+    for_each_run(solids, set_aside, range, [&](ElementRun run, std::size_t first) {
+        survivors.count = 0;
+        for (std::size_t i = 0; i < run.count; ++i) {
+            fetch_elements_after(run.nodes + i * width);
+            const std::span nodes(run.nodes + i * width, width);
+            if (!marks.has_any(nodes.first(solids.row->corner_count))) continue;
+            std::ranges::copy(
+                nodes, survivors.nodes.begin() + static_cast<std::ptrdiff_t>(survivors.count * width)
+            );
+            survivors.positions[survivors.count++] = static_cast<std::uint32_t>(first + i);
+        }
+        if (survivors.count > 0) add_candidates_of(solids, marks, survivors, found);
+    });
+}
+
+/// Calls visit for each candidate, in element order: they are found by many threads, a window at a time.
+template <class Visit>
+void for_each_candidate(
+    const NodeRanks& marks,
+    const std::vector<SolidBlock>& blocks,
+    const std::vector<bool>& set_aside,
+    Visit visit
+) {
+    const std::size_t chunks = thread_count() > 1 ? thread_count() * std::size_t{8} : 1;
+    std::vector<std::vector<FacetCandidate>> found(chunks);
+    for (const SolidBlock& solids : blocks) {
+        const std::size_t count = solids.block->ids.size();
+        for (std::size_t start = 0; start < count; start += chunks * kCandidateChunk) {
+            const std::size_t window = std::min(count - start, chunks * kCandidateChunk);
+            parallel_chunks(window, kCandidateChunk, [&](std::size_t first, std::size_t last) {
+                find_candidates(
+                    solids, marks, set_aside, {start + first, start + last}, found[first / kCandidateChunk]
+                );
+            });
+            for (std::vector<FacetCandidate>& part : found) {
+                for (const FacetCandidate& candidate : part) visit(candidate);
+                part.clear();
+            }
+        }
     }
 }
 
-std::vector<FacetCandidate> candidates_at(
-    const NodeMarks& marks, const std::vector<SolidBlock>& blocks, const std::vector<bool>& set_aside
-) {
-    std::vector<FacetCandidate> all;
+/// The outer facets in order.
+void collect(const std::vector<SolidBlock>& blocks, const FacetTable& table, OuterFacets& found) {
+    constexpr std::size_t kAtOnce = sizeof(std::uint64_t);
+    reserve_big(found.outer, table.outer_count());
     for (const SolidBlock& solids : blocks) {
-        const std::size_t count = solids.block->ids.size();
-        std::vector<std::vector<FacetCandidate>> found((count + kParallelChunk - 1) / kParallelChunk);
-        parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
-            facet_hash::with_facets_of(solids.block->type, [&](const auto& facets) {
-                add_candidates(
-                    facets, marks, solids, set_aside, {first, last}, found[first / kParallelChunk]
-                );
-            });
-        });
-        std::size_t total = all.size();
-        for (const std::vector<FacetCandidate>& part : found) total += part.size();
-        all.reserve(total);
-        for (std::vector<FacetCandidate>& part : found) {
-            all.insert(all.end(), part.begin(), part.end());
-            part = {};
+        const auto bits_of = table.outer_facets().subspan(solids.first_element, solids.block->ids.size());
+        for (std::size_t i = 0; i < bits_of.size();) {
+            std::uint64_t many = 1;
+            if (i + kAtOnce <= bits_of.size()) std::memcpy(&many, &bits_of[i], kAtOnce);
+            const std::size_t end = many == 0 ? i : std::min(i + kAtOnce, bits_of.size());
+            for (; i < end; ++i) {
+                for (unsigned bits = bits_of[i]; bits != 0; bits &= bits - 1) {
+                    const auto facet = static_cast<std::uint8_t>(std::countr_zero(bits));
+                    found.outer.push_back({static_cast<std::uint32_t>(i), solids.index, facet});
+                }
+            }
+            if (many == 0) i += kAtOnce;
         }
     }
-    return all;
 }
 
 }  // namespace
@@ -181,12 +254,24 @@ OuterFacets find_outer_facets(const Mesh& mesh, const std::vector<bool>& set_asi
     OuterFacets found;
     const std::vector<SolidBlock> blocks = solid_blocks(mesh);
     if (blocks.empty()) return found;
-    std::vector<FacetCandidate> candidates;
-    {
-        const NodeMarks marks = nodes_with_a_rest(mesh, blocks, set_aside, found);
-        candidates = candidates_at(marks, blocks, set_aside);
+    const NodeRanks marks = nodes_with_a_rest(mesh, blocks, set_aside, found);
+    FacetTable table(mesh, marks.count());
+    for_each_candidate(marks, blocks, set_aside, [&](const FacetCandidate& candidate) {
+        table.add(candidate);
+    });
+    if (table.special_count() > 0) {
+        std::vector<FacetTable::SpecialOwner> owners;
+        for_each_candidate(marks, blocks, set_aside, [&](const FacetCandidate& candidate) {
+            const std::uint64_t place = table.special_place(candidate);
+            if (place != FacetTable::kNotSpecial) owners.push_back({place, candidate.ref});
+        });
+        table.judge_specials(std::move(owners), found);
     }
-    match_facets(mesh, candidates, found);
+    if (!found.duplicates) {
+        collect(blocks, table, found);
+        // A quad and the two triangles before it are three facets.
+        found.unmatched += 3 * count_quads_facing_triangles(mesh, found.outer);
+    }
     found.inner = found.in - found.outer.size() - found.many_owners - found.collapsed - found.of_set_aside;
     return found;
 }

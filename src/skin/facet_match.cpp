@@ -1,71 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0
 // Must: be exact, and find out why owners do not agree. Assumes: see the header.
-// Algorithm: a hash table (node_buckets.hpp) of the first candidate of each facet, with the number and sum of
-// its owners; one owner is outer, two that add up to 0 are inner, all others are looked at one by one. Then
-// quads whose place is taken by two triangles. Data: 12 bytes a candidate and the table.
+// Algorithm: a table of the facets with their first owners; a second owner that has the same nodes the other
+// way round makes the facet an inner one, any other makes it special, and these are looked at one by one. A
+// facet stands in the line of memory of its smallest corner, since neighbours' facets are asked for together;
+// lines that are full spill into an ordinary hash table. Data: 64 bytes a smallest corner, 1 byte an element.
 #include "skin/facet_match.hpp"
 
+#include "base/huge_pages.hpp"
 #include "skin/element_checks.hpp"
 #include "skin/facet_hash.hpp"
-#include "skin/node_buckets.hpp"
 
 #include <algorithm>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace feelem {
 namespace {
 
-std::uint32_t hash_of(const FacetKey& key) noexcept {
-    using namespace facet_hash;
-    return static_cast<std::uint32_t>(
-        fold(pair(raw(key[1]), raw(key[2])) ^ kPair, raw(key[3]) ^ kTriangle) >> 32U
-    );
+/// Corners in ascending order; a triangle's fourth is kNoNode.
+using FacetKey = std::array<NodeIndex, 4>;
+FacetKey sorted_corners(const Outline& outline) noexcept {
+    FacetKey key = outline.corners;
+    std::ranges::sort(key);
+    return key;
 }
 
-struct CandidateSlot {
-    std::uint32_t entry = 0;  ///< Candidate + 1.
+enum class Meeting : std::uint8_t {
+    OtherFacet,
+    Opposite,  ///< The same nodes, the other way round.
+    Unlike,    ///< The same corners.
 };
 
-/// What the candidates with the same corners have in common, kept at the first of them.
-struct Group {
-    std::uint32_t owners = 0;
-    std::uint64_t sum = 0;
-
-    bool is_outer() const { return owners == 1; }
-    bool is_inner() const { return owners == 2 && sum == 0; }
-};
-
-struct Groups {
-    std::vector<std::uint32_t> first;  ///< Per candidate: the first one with its corners.
-    std::vector<Group> at;             ///< Per candidate; filled at the first ones.
-};
-
-Groups group(std::span<const FacetCandidate> candidates) {
-    Groups groups;
-    groups.first.resize(candidates.size());
-    groups.at.resize(candidates.size());
-    NodeIndex last{0};
-    for (const FacetCandidate& candidate : candidates) last = std::max(last, candidate.key[0]);
-    NodeRanks ranks(std::size_t{raw(last)} + 1);
-    for (const FacetCandidate& candidate : candidates) ranks.mark(candidate.key[0]);
-    ranks.seal();
-    NodeBuckets<CandidateSlot> buckets(ranks.count());
-    for (const FacetCandidate& candidate : candidates) buckets.count(ranks(candidate.key[0]));
-    buckets.seal();
-    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-        const FacetKey& key = candidates[i].key;
-        CandidateSlot& slot = buckets.slot(ranks(key[0]), hash_of(key), [&](const CandidateSlot& there) {
-            return candidates[there.entry - 1].key == key;
-        });
-        if (slot.entry == 0) slot.entry = i + 1;
-        groups.first[i] = slot.entry - 1;
-        Group& mine = groups.at[groups.first[i]];
-        ++mine.owners;
-        mine.sum += candidates[i].hash;
+/// The same nodes in opposite order, as the elements list them.
+bool is_mirrored(
+    const FacetRow& row_a, std::span<const NodeIndex> a, const FacetRow& row_b, std::span<const NodeIndex> b
+) {
+    if (row_a.type != row_b.type) return false;
+    const ElementRow& shape = element_row(row_a.type);
+    const std::size_t count = shape.corner_count;
+    std::size_t start = 0;
+    while (start < count && b[row_b.nodes[start]] != a[row_a.nodes[0]]) ++start;
+    if (start == count) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        // Corner start - i; the side after i lies between start - i - 1 and start - i.
+        const std::size_t corner = start >= i ? start - i : start + count - i;
+        const std::size_t side = corner == 0 ? count - 1 : corner - 1;
+        if (a[row_a.nodes[i]] != b[row_b.nodes[corner]]) return false;
+        if (shape.order == 2 && a[row_a.nodes[count + i]] != b[row_b.nodes[count + side]]) return false;
     }
-    return groups;
+    return true;
+}
+
+bool is_reversed(const Outline& a, const Outline& b) {
+    if (a.count != b.count) return false;
+    std::size_t start = 0;
+    while (start < b.count && b.corners[start] != a.corners[0]) ++start;
+    for (std::size_t i = 0; i < a.count; ++i) {
+        if (a.corners[i] != b.corners[(start + b.count - i) % b.count]) return false;
+    }
+    return true;
+}
+
+Meeting meeting_of(const Mesh& mesh, FacetRef a, FacetRef b) {
+    const FacetRow& row_a = facets_of(mesh.blocks[a.block].type)[a.facet];
+    const FacetRow& row_b = facets_of(mesh.blocks[b.block].type)[b.facet];
+    if (is_mirrored(row_a, element_nodes(mesh, a), row_b, element_nodes(mesh, b))) return Meeting::Opposite;
+    const Outline first = outline_of(mesh, a), second = outline_of(mesh, b);
+    if (sorted_corners(first) != sorted_corners(second)) return Meeting::OtherFacet;
+    return is_reversed(first, second) && same_middles(first, second) ? Meeting::Opposite : Meeting::Unlike;
 }
 
 /// Whether two of the owners are different elements with the same corners.
@@ -106,35 +108,19 @@ bool judge(const Mesh& mesh, std::span<const FacetRef> owners, OuterFacets& foun
         found.unmatched += 2;
         return true;
     }
-    if (facet_hash::of(first).value + facet_hash::of(second).value != 0) found.same_winding = true;
+    found.same_winding = true;
     return false;
 }
 
-/// Decides on the groups that are neither outer nor inner: flags, per candidate, those that are kept.
-std::vector<bool> judge_all(
-    const Mesh& mesh, std::span<const FacetCandidate> candidates, const Groups& groups, OuterFacets& found
-) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> special;  // (first, candidate)
-    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-        const Group& mine = groups.at[groups.first[i]];
-        if (!mine.is_outer() && !mine.is_inner()) special.emplace_back(groups.first[i], i);
+/// Of an outer facet.
+bool has_three_corners(const Mesh& mesh, FacetRef ref) {
+    const auto corners = facet_corners(facets_of(mesh.blocks[ref.block].type)[ref.facet]);
+    if (corners.size() == 3) return true;
+    const auto nodes = element_nodes(mesh, ref);
+    for (std::size_t i = 0; i < 4; ++i) {
+        if (nodes[corners[i]] == nodes[corners[(i + 1) % 4]]) return true;
     }
-    std::vector<bool> kept;
-    if (special.empty()) return kept;
-    kept.resize(candidates.size());
-    std::ranges::sort(special);
-    std::vector<FacetRef> owners;
-    for (std::size_t i = 0; i < special.size() && !found.duplicates;) {
-        owners.clear();
-        std::size_t end = i;
-        for (; end < special.size() && special[end].first == special[i].first; ++end)
-            owners.push_back(candidates[special[end].second].ref);
-        if (judge(mesh, owners, found)) {
-            for (std::size_t k = i; k < end; ++k) kept[special[k].second] = true;
-        }
-        i = end;
-    }
-    return kept;
+    return false;
 }
 
 /// Corners of outer triangles, to be asked for.
@@ -151,45 +137,131 @@ private:
     std::vector<FacetKey> keys_;
 };
 
-/// Quads that two outer triangles with the same corners lie against.
-std::uint64_t count_quads_facing_triangles(const Mesh& mesh, const OuterFacets& found) {
-    std::vector<FacetKey> triangles;
-    bool has_quads = false;
-    for (const FacetRef ref : found.outer) {
-        const Outline outline = outline_of(mesh, ref);
-        if (outline.count == 3) triangles.push_back(sorted_corners(outline));
-        has_quads = has_quads || outline.count == 4;
+}  // namespace
+
+FacetTable::FacetTable(const Mesh& mesh, std::size_t buckets) : mesh_(mesh), spill_(64) {
+    std::size_t elements = 0;
+    for (const ElementBlock& block : mesh.blocks) {
+        block_first_.push_back(elements);
+        elements += block.ids.size();
     }
-    if (triangles.empty() || !has_quads) return 0;
+    outer_bits_ = big_zeros<std::uint8_t>(elements);
+    buckets_ = big_zeros<Bucket>(buckets);
+}
+
+void FacetTable::grow_spill() {
+    std::vector<Slot> old(spill_.size() * 2);
+    old.swap(spill_);
+    for (const Slot& slot : old) {
+        if (slot.state == State::Free) continue;
+        std::size_t at = slot.corners % spill_.size();
+        while (spill_[at].state != State::Free) at = (at + 1) % spill_.size();
+        spill_[at] = slot;
+    }
+}
+
+/// Calls visit for the slots in which the facet may be, until it says true.
+template <class Visit>
+void FacetTable::visit_slots(const FacetCandidate& candidate, Visit visit) {
+    for (Slot& slot : buckets_[candidate.bucket].slots) {
+        if (visit(slot, false)) return;
+    }
+    for (std::size_t at = candidate.corners % spill_.size();; at = (at + 1) % spill_.size()) {
+        if (visit(spill_[at], true)) return;
+    }
+}
+
+/// Whether the slot is the candidate's facet; then what became of it.
+bool FacetTable::meets(Slot& slot, const FacetCandidate& candidate) {
+    if (slot.corners != candidate.corners) return false;
+    const Meeting meeting = meeting_of(mesh_, slot.first_owner(), candidate.ref);
+    if (meeting == Meeting::OtherFacet) return false;
+    const bool is_second = slot.state == State::Outer;
+    if (is_second) {
+        flip_bit(slot.first_owner());
+        --outer_;
+    }
+    if (slot.state != State::Special) {
+        slot.state = is_second && meeting == Meeting::Opposite ? State::Inner : State::Special;
+        specials_ += slot.state == State::Special ? 1U : 0U;
+    }
+    return true;
+}
+
+void FacetTable::add(const FacetCandidate& candidate) {
+    visit_slots(candidate, [&](Slot& slot, bool is_spill) {
+        if (slot.state != State::Free) return meets(slot, candidate);
+        slot = {
+            candidate.corners,
+            candidate.ref.position,
+            candidate.ref.block,
+            candidate.ref.facet,
+            State::Outer};
+        spilled_ += is_spill ? 1U : 0U;
+        flip_bit(candidate.ref);
+        ++outer_;
+        return true;
+    });
+    if (spilled_ * 2 >= spill_.size()) grow_spill();
+}
+
+std::uint64_t FacetTable::special_place(const FacetCandidate& candidate) {
+    std::uint64_t place = kNotSpecial;
+    visit_slots(candidate, [&](const Slot& slot, bool is_spill) {
+        if (slot.state == State::Free) return true;
+        if (slot.corners != candidate.corners ||
+            meeting_of(mesh_, slot.first_owner(), candidate.ref) == Meeting::OtherFacet)
+            return false;
+        if (slot.state == State::Special) {
+            place = is_spill ? buckets_.size() * 4 + static_cast<std::size_t>(&slot - spill_.data())
+                             : std::size_t{candidate.bucket} * 4 +
+                                   static_cast<std::size_t>(&slot - buckets_[candidate.bucket].slots.data());
+        }
+        return true;
+    });
+    return place;
+}
+
+void FacetTable::judge_specials(std::vector<SpecialOwner> owners, OuterFacets& found) {
+    std::ranges::stable_sort(owners, {}, &SpecialOwner::place);
+    std::vector<FacetRef> here;
+    for (std::size_t i = 0; i < owners.size() && !found.duplicates;) {
+        here.clear();
+        std::size_t end = i;
+        for (; end < owners.size() && owners[end].place == owners[i].place; ++end)
+            here.push_back(owners[end].ref);
+        if (judge(mesh_, here, found)) {
+            for (const FacetRef ref : here) flip_bit(ref);
+            outer_ += here.size();
+        }
+        i = end;
+    }
+}
+
+std::uint64_t count_quads_facing_triangles(const Mesh& mesh, std::span<const FacetRef> outer) {
+    const auto is_triangle = [&](FacetRef ref) { return has_three_corners(mesh, ref); };
+    const auto triangle_count = static_cast<std::size_t>(std::ranges::count_if(outer, is_triangle));
+    if (triangle_count == 0 || triangle_count == outer.size()) return 0;
+    std::vector<FacetKey> triangles;
+    triangles.reserve(triangle_count);
+    std::vector<bool> at_triangles(mesh.node_count());
+    for (const FacetRef ref : outer) {
+        if (!is_triangle(ref)) continue;
+        const Outline outline = outline_of(mesh, ref);
+        for (const NodeIndex corner : std::span(outline.corners).first(3)) at_triangles[raw(corner)] = true;
+        triangles.push_back(sorted_corners(outline));
+    }
     const TriangleSet set(std::move(triangles));
     std::uint64_t count = 0;
-    for (const FacetRef ref : found.outer) {
+    for (const FacetRef ref : outer) {
+        if (is_triangle(ref)) continue;
         const Outline outline = outline_of(mesh, ref);
-        if (outline.count != 4) continue;
         const auto& [a, b, c, d] = outline.corners;
+        if (!at_triangles[raw(a)] || !at_triangles[raw(b)] || !at_triangles[raw(c)] || !at_triangles[raw(d)])
+            continue;
         if ((set.has(a, b, c) && set.has(a, c, d)) || (set.has(a, b, d) && set.has(b, c, d))) ++count;
     }
     return count;
-}
-
-}  // namespace
-
-FacetKey sorted_corners(const Outline& outline) noexcept {
-    FacetKey key = outline.corners;
-    std::ranges::sort(key);
-    return key;
-}
-
-void match_facets(const Mesh& mesh, std::span<const FacetCandidate> candidates, OuterFacets& found) {
-    const Groups groups = group(candidates);
-    const std::vector<bool> kept = judge_all(mesh, candidates, groups, found);
-    if (found.duplicates) return;
-    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-        if (groups.at[groups.first[i]].is_outer() || (!kept.empty() && kept[i]))
-            found.outer.push_back(candidates[i].ref);
-    }
-    // A quad and the two triangles before it are three facets.
-    found.unmatched += 3 * count_quads_facing_triangles(mesh, found);
 }
 
 }  // namespace feelem

@@ -6,30 +6,47 @@
 
 #include "feelem/ids.hpp"
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace feelem {
+
+/// How many bits are set: in line where the processor's instruction for it may not be assumed.
+inline std::uint32_t ones(std::uint64_t x) noexcept {
+    x -= (x >> 1) & 0x5555'5555'5555'5555ULL;
+    x = (x & 0x3333'3333'3333'3333ULL) + ((x >> 2) & 0x3333'3333'3333'3333ULL);
+    x = (x + (x >> 4)) & 0x0F0F'0F0F'0F0F'0F0FULL;
+    return static_cast<std::uint32_t>((x * 0x0101'0101'0101'0101ULL) >> 56);
+}
 
 /// The nodes that were marked, numbered in their order.
 class NodeRanks {
 public:
     explicit NodeRanks(std::size_t node_count) : bits_(node_count / 64 + 1) {}
+    /// Node i is marked when bit i % 64 of word i / 64 is set.
+    explicit NodeRanks(std::vector<std::uint64_t> bits) : bits_(std::move(bits)) { seal(); }
 
     void mark(NodeIndex node) { bits_[raw(node) / 64] |= std::uint64_t{1} << (raw(node) % 64); }
     void seal() {
         before_.resize(bits_.size());
         for (std::size_t i = 0; i < bits_.size(); ++i) {
             before_[i] = count_;
-            count_ += static_cast<std::uint32_t>(std::popcount(bits_[i]));
+            count_ += ones(bits_[i]);
         }
     }
     std::size_t count() const { return count_; }
+    bool has(std::uint32_t node) const { return (bits_[node / 64] >> (node % 64)) & 1U; }
+    bool has_any(std::span<const NodeIndex> nodes) const {
+        std::uint64_t marked = 0;
+        for (const NodeIndex node : nodes) marked |= bits_[raw(node) / 64] >> (raw(node) % 64);
+        return (marked & 1U) != 0;
+    }
     std::uint32_t operator()(NodeIndex node) const {
         const std::uint64_t below = bits_[raw(node) / 64] & ((std::uint64_t{1} << (raw(node) % 64)) - 1);
-        return before_[raw(node) / 64] + static_cast<std::uint32_t>(std::popcount(below));
+        return before_[raw(node) / 64] + ones(below);
     }
 
 private:
