@@ -13,9 +13,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from run import commit, machine
+from measure import HERE, commit, machine, spread
 
-HERE = Path(__file__).resolve().parent
 MESHES = ("hex8", "tet4", "mixed", "plate", "hex20", "tet10")
 
 
@@ -39,10 +38,6 @@ def prove_equal(kind, facets, skin, vtk):
     faults += [key for key in ("area", "volume") if not close(skin[key], vtk[key])]
     if faults:
         sys.exit(f"bench: {kind}: Feelem and VTK differ in {', '.join(faults)}:\n{facets}\n{skin}\n{vtk}")
-
-
-def spread(values):
-    return {"median": round(statistics.median(values), 4), "least": round(min(values), 4), "most": round(max(values), 4)}
 
 
 def compare(bin_folder, kind, cells, numbering, runs):

@@ -7,15 +7,13 @@ on its memory. Writes bench/results/NAME.json and prints the same; exits 1 when 
 import argparse
 import json
 import os
-import platform
 import struct
 import subprocess
 import sys
 import time
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-MIB = 1 << 20
+from measure import HERE, MIB, commit, machine
 
 
 def measured(command):
@@ -43,19 +41,6 @@ def skin_bytes(parts):
     vertices, triangles = (sum(part[key] for part in parts) for key in ("vertices", "triangles"))
     quads = triangles // 4
     return vertices * (24 + 12 + 4) + triangles * (12 + 4) + quads * (12 + 4 * (4 + 8) + 2 * 8)
-
-
-def machine():
-    model = next((line.split(":", 1)[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")), "?")
-    return f"{model}, {os.cpu_count()} cores, Linux {platform.release()}"
-
-
-def commit():
-    try:
-        return subprocess.run(["git", "-C", HERE, "describe", "--always", "--dirty"], capture_output=True, text=True,
-                              check=True).stdout.strip()
-    except (OSError, subprocess.CalledProcessError):
-        return "unknown"
 
 
 def main():

@@ -9,7 +9,7 @@ import json
 import subprocess
 from pathlib import Path
 
-from run import HERE, commit, machine
+from measure import HERE, commit, machine
 
 
 def main():
