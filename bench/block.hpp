@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -60,6 +61,30 @@ struct Block {
     std::array<double, 3> position(int id) const {
         const int i = id - 1;
         return {10.0 * (i % side), 10.0 * (i / side % side), 10.0 * (i / side / side)};
+    }
+    /// A little beside it: no round numbers, a real mesh has none.
+    std::array<double, 3> archived(int id) const {
+        const auto p = position(id);
+        return {p[0] + std::sin(0.37 * id), p[1] + std::sin(0.59 * id), p[2] + std::sin(0.83 * id)};
+    }
+    /// use(nodes) for each hex8, along x first.
+    template <class Use>
+    void for_each_element(const Use& use) const {
+        for (int z = 0; z + 1 < side; ++z) {
+            for (int y = 0; y + 1 < side; ++y) {
+                for (int x = 0; x + 1 < side; ++x) {
+                    use(std::array<int, 8>{
+                        node(x, y, z),
+                        node(x + 1, y, z),
+                        node(x + 1, y + 1, z),
+                        node(x, y + 1, z),
+                        node(x, y, z + 1),
+                        node(x + 1, y, z + 1),
+                        node(x + 1, y + 1, z + 1),
+                        node(x, y + 1, z + 1)});
+                }
+            }
+        }
     }
 };
 

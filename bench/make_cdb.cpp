@@ -2,7 +2,6 @@
 // Writes a block of N x N x N hex8 nodes as CDWRITE writes an archive: the same bytes every time.
 #include "block.hpp"
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -25,17 +24,8 @@ void write_nodes(Writer& out, const Block& block) {
     out.line("NBLOCK,6,SOLID,{:10d},{:10d}", block.node_count(), block.node_count());
     out.line("(3i9,6e21.13e3)");
     for (int id = 1; id <= block.node_count(); ++id) {
-        // No round numbers: a real mesh has none.
-        const auto p = block.position(id);
-        out.line(
-            "{:9d}{:9d}{:9d}{}{}{}",
-            id,
-            0,
-            0,
-            real(p[0] + std::sin(0.37 * id)),
-            real(p[1] + std::sin(0.59 * id)),
-            real(p[2] + std::sin(0.83 * id))
-        );
+        const auto p = block.archived(id);
+        out.line("{:9d}{:9d}{:9d}{}{}{}", id, 0, 0, real(p[0]), real(p[1]), real(p[2]));
     }
     out.line("N,UNBL,LOC,       -1,");
 }
@@ -44,35 +34,31 @@ void write_elements(Writer& out, const Block& block) {
     out.line("EBLOCK,19,SOLID,{:10d},{:10d}", block.element_count(), block.element_count());
     out.line("(19i10)");
     int element = 0;
-    for (int z = 0; z + 1 < block.side; ++z) {
-        for (int y = 0; y + 1 < block.side; ++y) {
-            for (int x = 0; x + 1 < block.side; ++x) {
-                out.line(
-                    "{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}"
-                    "{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}",
-                    1,
-                    1,
-                    1,
-                    1,
-                    0,
-                    0,
-                    0,
-                    0,
-                    8,
-                    0,
-                    ++element,
-                    block.node(x, y, z),
-                    block.node(x + 1, y, z),
-                    block.node(x + 1, y + 1, z),
-                    block.node(x, y + 1, z),
-                    block.node(x, y, z + 1),
-                    block.node(x + 1, y, z + 1),
-                    block.node(x + 1, y + 1, z + 1),
-                    block.node(x, y + 1, z + 1)
-                );
-            }
-        }
-    }
+    block.for_each_element([&](const std::array<int, 8>& n) {
+        out.line(
+            "{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}"
+            "{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}",
+            1,
+            1,
+            1,
+            1,
+            0,
+            0,
+            0,
+            0,
+            8,
+            0,
+            ++element,
+            n[0],
+            n[1],
+            n[2],
+            n[3],
+            n[4],
+            n[5],
+            n[6],
+            n[7]
+        );
+    });
     out.line("{:10d}", -1);
 }
 

@@ -19,6 +19,7 @@ struct ReadOptions {
     std::string types;           ///< "1=SOLID92,2=SHELL63" or the path of an ETLIST listing.
     bool expand_cyclic = false;  ///< Show all sectors of a cyclic model, where the file says how.
     bool hash_inputs = true;     ///< InputRecord::sha256 needs every byte of every input; else it is empty.
+    bool hash_early = false;     ///< All digests will be asked for: makes them while the inputs are read.
 };
 
 /// A kind of file that can be read, for `feelem formats` and the docs.

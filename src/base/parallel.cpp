@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
 #include <memory>
@@ -35,6 +36,45 @@ void parallel_chunks(
     tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t i) {
         body(i * chunk, std::min((i + 1) * chunk, count));
     });
+}
+
+std::size_t ordered_slots() {
+    const std::size_t threads = thread_count();
+    return threads <= 1 ? 1 : 2 * threads;
+}
+
+void ordered_chunks(
+    std::size_t count,
+    const std::function<void(std::size_t i, std::size_t slot)>& work,
+    const std::function<void(std::size_t i, std::size_t slot)>& take
+) {
+    const std::size_t slots = ordered_slots();
+    if (slots == 1 || count <= 1) {
+        for (std::size_t i = 0; i < count; ++i) {
+            work(i, 0);
+            take(i, 0);
+        }
+        return;
+    }
+    // As many chunks as slots are under way, and they leave in order: so the slot of i - slots is free again.
+    std::size_t next = 0;
+    const auto number = [&](tbb::flow_control& control) {
+        if (next == count) control.stop();
+        return next++;
+    };
+    const auto worked = [&](std::size_t i) {
+        work(i, i % slots);
+        return i;
+    };
+    using Mode = tbb::filter_mode;
+    tbb::parallel_pipeline(
+        slots,
+        tbb::make_filter<void, std::size_t>(Mode::serial_in_order, number) &
+            tbb::make_filter<std::size_t, std::size_t>(Mode::parallel, worked) &
+            tbb::make_filter<std::size_t, void>(
+                Mode::serial_in_order, [&](std::size_t i) { take(i, i % slots); }
+            )
+    );
 }
 
 }  // namespace feelem

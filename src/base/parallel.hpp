@@ -21,4 +21,16 @@ void parallel_chunks(
     std::size_t count, std::size_t chunk, const std::function<void(std::size_t first, std::size_t last)>& body
 );
 
+/// How many chunks ordered_chunks() has in work at once.
+std::size_t ordered_slots();
+
+/// Chunks 0 to count - 1: work(i, slot) at once and in any order, then take(i, slot) one after the other from
+/// 0 on, so that what is taken does not depend on the number of threads. A slot (below ordered_slots()) is
+/// one chunk's own from its work to the end of its take. An exception is rethrown here.
+void ordered_chunks(
+    std::size_t count,
+    const std::function<void(std::size_t i, std::size_t slot)>& work,
+    const std::function<void(std::size_t i, std::size_t slot)>& take
+);
+
 }  // namespace feelem

@@ -104,16 +104,18 @@ void report_left_out(const Job& job, const ScenePlan& plan, Diagnostics& diagnos
     );
 }
 
-void run(const Job& job, Diagnostics& diagnostics, const Progress& progress) {
+void run(Job job, Diagnostics& diagnostics, const Progress& progress) {
     const OutputKind kind = output_kind(job.output);
     check_output(job);
+    const bool is_scene = kind == OutputKind::Glb || kind == OutputKind::Gltf;
+    job.read.hash_early = is_scene;
     const std::unique_ptr<ModelSource> source = open_job(job, diagnostics, progress);
     if (!source) throw Cancelled{};
     const auto steps = select_steps(source->steps(), job.steps, default_steps_of(kind), diagnostics);
     PreparedSource shown(*source, select_results(*source, steps, job.results), preparing_of(job));
     std::vector<std::size_t> results = shown.all_results();
     Work work{job, diagnostics, progress, shown, plan_scene(shown, shown.used_steps(), results)};
-    if (kind == OutputKind::Glb || kind == OutputKind::Gltf) return write_as_scene(work);
+    if (is_scene) return write_as_scene(work);
     report_left_out(job, work.plan, diagnostics);
     results = only_last(work.plan, std::move(results));
     work.plan = plan_scene(shown, shown.used_steps(), results);

@@ -100,16 +100,6 @@ ElementType quadratic_of(ElementType linear) {
     }
 }
 
-/// Without memory of its own: nearly every element of a large mesh ends here.
-bool all_differ(std::span<const NodeIndex> corners) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        for (std::size_t j = i + 1; j < corners.size(); ++j) {
-            if (corners[i] == corners[j]) return false;
-        }
-    }
-    return true;
-}
-
 std::optional<CollapsedElement> collapse_shell(ElementType type, std::span<const NodeIndex> nodes) {
     const FacetCorners corners = collapsed_corners(facets_of(type)[0], nodes);
     if (corners.count != 3 || element_row(type).corner_count != 4) return std::nullopt;
@@ -120,6 +110,17 @@ std::optional<CollapsedElement> collapse_shell(ElementType type, std::span<const
 }
 
 }  // namespace
+
+bool all_differ(std::span<const NodeIndex> corners) {
+    // Counted without a branch each, row by row of the triangle of pairs.
+    bool same = false;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        bool again = false;
+        for (std::size_t j = 0; j < i; ++j) again |= corners[i] == corners[j];
+        same |= again;
+    }
+    return !same;
+}
 
 FacetCorners collapsed_corners(const FacetRow& facet, std::span<const NodeIndex> element_nodes) {
     FacetCorners out;

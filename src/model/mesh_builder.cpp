@@ -49,6 +49,14 @@ void MeshBuilder::add_node(NodeId id, const Point3& coordinates, const NodalAngl
     mesh_.coordinates.push_back(coordinates);
 }
 
+void MeshBuilder::add_nodes(std::span<const NodeId> ids, std::span<const Point3> coordinates) {
+    assert(!lookup_ && "nodes after seal_nodes()");
+    assert(ids.size() == coordinates.size());
+    mesh_.node_ids.insert(mesh_.node_ids.end(), ids.begin(), ids.end());
+    mesh_.coordinates.insert(mesh_.coordinates.end(), coordinates.begin(), coordinates.end());
+    if (has_angles_) mesh_.node_angles.resize(mesh_.node_ids.size());
+}
+
 void MeshBuilder::seal_nodes() {
     std::vector<NodeId>& ids = mesh_.node_ids;
     if (ids.size() > kMostNodes) throw Error(Code::TooLarge, "", "more than 4 294 967 294 nodes");
@@ -117,7 +125,11 @@ ElementBlock& MeshBuilder::block_of(ElementType type) {
     int& index = block_by_type_[static_cast<std::size_t>(type)];
     if (index < 0) {
         index = static_cast<int>(mesh_.blocks.size());
-        mesh_.blocks.emplace_back().type = type;
+        ElementBlock& block = mesh_.blocks.emplace_back();
+        block.type = type;
+        block.ids.reserve(expected_elements_);
+        block.parts.reserve(expected_elements_);
+        block.nodes.reserve(expected_elements_ * element_row(type).node_count);
     }
     return mesh_.blocks[static_cast<std::size_t>(index)];
 }
@@ -166,6 +178,17 @@ void MeshBuilder::add_element(
     block.nodes.insert(block.nodes.end(), found.begin(), found.end());
 }
 
+void MeshBuilder::add_whole_elements(
+    ElementType type, PartIndex part, std::span<const ElementId> ids, std::span<const NodeIndex> found
+) {
+    assert(lookup_ && "seal_nodes() first");
+    assert(found.size() == ids.size() * element_row(type).node_count);
+    ElementBlock& block = block_of(type);
+    block.ids.insert(block.ids.end(), ids.begin(), ids.end());
+    block.parts.insert(block.parts.end(), ids.size(), part);
+    block.nodes.insert(block.nodes.end(), found.begin(), found.end());
+}
+
 void MeshBuilder::skip_element(std::string_view type_name, std::uint64_t count) {
     mesh_.skipped_elements[std::string(type_name)] += count;
 }
@@ -191,6 +214,7 @@ Mesh MeshBuilder::finish() {
     lookup_.reset();
     part_by_name_.clear();
     has_angles_ = false;
+    expected_elements_ = 0;
     return std::exchange(mesh_, {});
 }
 

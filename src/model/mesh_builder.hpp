@@ -30,6 +30,8 @@ public:
     void add_node(NodeId id, const Point3& coordinates);
     /// The same, with the rotation of its nodal system in degrees (about Z, X', Y'').
     void add_node(NodeId id, const Point3& coordinates, const NodalAngles& angles);
+    /// Many at once, without nodal systems of their own.
+    void add_nodes(std::span<const NodeId> ids, std::span<const Point3> coordinates);
     /// Sorts; a repeated id keeps the later definition (DuplicateNode).
     void seal_nodes();
 
@@ -42,6 +44,15 @@ public:
     void add_element(
         ElementId id, ElementType type, std::span<const NodeId> nodes, PartIndex part, const Where& where
     );
+    /// Room for so many elements in each block that is begun from now on.
+    void expect_elements(std::size_t count) { expected_elements_ = count; }
+    /// Elements that nothing has to be done for: every node found by nodes(), no corner repeated, no mid-side
+    /// node left out. A row after the other in `found`.
+    void add_whole_elements(
+        ElementType type, PartIndex part, std::span<const ElementId> ids, std::span<const NodeIndex> found
+    );
+    /// The nodes, when they are sealed.
+    const NodeLookup& nodes() const { return *lookup_; }
     /// An element that has no surface of its own: counted by the solver's name of its type.
     void skip_element(std::string_view type_name, std::uint64_t count = 1);
 
@@ -58,6 +69,7 @@ private:
     Diagnostics* diagnostics_;
     Mesh mesh_;
     bool has_angles_ = false;
+    std::size_t expected_elements_ = 0;
     std::unique_ptr<NodeLookup> lookup_;
     std::map<std::string, PartIndex, std::less<>> part_by_name_;
     std::array<int, kElementTypeCount> block_by_type_{};

@@ -26,4 +26,22 @@ NodeIndex NodeLookup::operator()(NodeId id) const noexcept {
     return NodeIndex{static_cast<std::uint32_t>(found - ids_.begin())};
 }
 
+bool NodeLookup::find(std::span<const std::int64_t> ids, NodeIndex* out) const noexcept {
+    bool missing = false;
+    if (consecutive_) {
+        const std::uint64_t count = ids_.size();
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const auto offset = static_cast<std::uint64_t>(ids[i]) - static_cast<std::uint64_t>(first_);
+            missing |= offset >= count;
+            out[i] = NodeIndex{static_cast<std::uint32_t>(offset)};
+        }
+        return !missing;
+    }
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        out[i] = (*this)(NodeId{ids[i]});
+        missing |= out[i] == kNoNode;
+    }
+    return !missing;
+}
+
 }  // namespace feelem

@@ -38,10 +38,12 @@ public:
         std::vector<UsedInput> inputs,
         MeshChoice choice,
         Diagnostics& diagnostics,
-        bool hash_inputs
+        bool hash_inputs,
+        std::unique_ptr<EarlyDigests> early
     )
         : kept_alive_(std::move(kept_alive)), sources_(std::move(sources)), inputs_(std::move(inputs)),
-          choice_(std::move(choice)), diagnostics_(diagnostics), hash_inputs_(hash_inputs) {
+          choice_(std::move(choice)), diagnostics_(diagnostics), hash_inputs_(hash_inputs),
+          early_(std::move(early)) {
         assert(!sources_.empty());
         adopt_unit();
         adopt_angles();
@@ -81,13 +83,9 @@ public:
 
     std::span<const InputRecord> inputs() const override {
         std::call_once(hashed_, [this] {
-            for (const UsedInput& used : inputs_) {
-                records_.push_back(
-                    {used.input.name(),
-                     used.format,
-                     used.input.size(),
-                     hash_inputs_ ? sha256_hex(used.input) : std::string()}
-                );
+            for (std::size_t i = 0; i < inputs_.size(); ++i) {
+                const UsedInput& used = inputs_[i];
+                records_.push_back({used.input.name(), used.format, used.input.size(), digest_of(i)});
             }
         });
         return records_;
@@ -115,6 +113,10 @@ private:
 
     const std::string& name_of(std::size_t source) const {
         return inputs_[sources_[source].inputs.front()].input.name();
+    }
+    std::string digest_of(std::size_t i) const {
+        if (!hash_inputs_) return {};
+        return early_ && i < early_->size() ? early_->take(i) : sha256_hex(inputs_[i].input);
     }
     /// Ours alone, and no constant; a copy would double the memory of a large model.
     Mesh& shown_mesh() { return const_cast<Mesh&>(mesh()); }
@@ -200,6 +202,7 @@ private:
     MeshChoice choice_;
     Diagnostics& diagnostics_;
     bool hash_inputs_;
+    std::unique_ptr<EarlyDigests> early_;  ///< Of the first inputs.
     std::vector<bool> reported_;
     std::vector<Step> steps_;
     std::vector<ResultInfo> results_;
@@ -237,7 +240,8 @@ std::unique_ptr<ModelSource> merge_sources(
     std::vector<std::unique_ptr<ModelSource>> kept_alive,
     std::vector<UsedInput> inputs,
     Diagnostics& diagnostics,
-    bool hash_inputs
+    bool hash_inputs,
+    std::unique_ptr<EarlyDigests> early
 ) {
     std::vector<std::string> names;
     for (const OpenedSource& opened : sources) names.push_back(inputs[opened.inputs.front()].input.name());
@@ -248,7 +252,8 @@ std::unique_ptr<ModelSource> merge_sources(
         std::move(inputs),
         std::move(choice),
         diagnostics,
-        hash_inputs
+        hash_inputs,
+        std::move(early)
     );
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/input.hpp"
+#include "read/early_digests.hpp"
 
 #include "feelem/diagnostics.hpp"
 #include "feelem/model.hpp"
@@ -41,13 +42,15 @@ const Mesh* mesh_for_next(std::span<const OpenedSource> sources);
 
 /// One mesh is shown (choose_mesh.hpp), results of the others go to it by id. `kept_alive`: their meshes
 /// may be looked at by the others, nothing more. `diagnostics` must outlive the model. At least one source.
-/// `hash_inputs`: as ReadOptions says. Throws Error(MeshesDiffer).
+/// `hash_inputs`: as ReadOptions says; `early`: digests of the first inputs that are under way. Throws
+/// Error(MeshesDiffer).
 std::unique_ptr<ModelSource> merge_sources(
     std::vector<OpenedSource> sources,
     std::vector<std::unique_ptr<ModelSource>> kept_alive,
     std::vector<UsedInput> inputs,
     Diagnostics& diagnostics,
-    bool hash_inputs = true
+    bool hash_inputs = true,
+    std::unique_ptr<EarlyDigests> early = nullptr
 );
 
 }  // namespace feelem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files and folders in, one model out: each file goes to the reader that is surest of its content.
 #include "base/nearest_name.hpp"
+#include "base/parallel.hpp"
 #include "base/text_encoding.hpp"
 #include "read/merged_model.hpp"
 #include "read/read_format.hpp"
@@ -251,10 +252,19 @@ private:
     std::vector<Failed> failed_;
 };
 
+/// Under way when another core can make them.
+std::unique_ptr<EarlyDigests> digests_of(std::span<const UsedInput> used, const ReadOptions& options) {
+    if (!options.hash_inputs || !options.hash_early || thread_count() < 2) return nullptr;
+    std::vector<Input> inputs;
+    for (const UsedInput& one : used) inputs.push_back(one.input);
+    return std::make_unique<EarlyDigests>(std::move(inputs));
+}
+
 std::unique_ptr<ModelSource> open_inputs(
     std::span<const NamedInput> inputs, const ReadOptions& options, Diagnostics& diagnostics
 ) {
     Sorted sorted = sort_by_format(inputs, options);
+    std::unique_ptr<EarlyDigests> early = digests_of(sorted.used, options);
     std::vector<Input> given;
     for (const NamedInput& one : inputs) given.push_back(one.input);
     IncludeFiles includes(given);
@@ -271,7 +281,12 @@ std::unique_ptr<ModelSource> open_inputs(
     }
     tell_left_out(left_out, diagnostics);
     return merge_sources(
-        std::move(sources), opener.take_included(), std::move(sorted.used), diagnostics, options.hash_inputs
+        std::move(sources),
+        opener.take_included(),
+        std::move(sorted.used),
+        diagnostics,
+        options.hash_inputs,
+        std::move(early)
     );
 }
 

@@ -159,5 +159,41 @@ TEST(NodeLookup, finds_ids_whether_dense_or_sparse) {
     }
 }
 
+TEST(NodeLookup, finds_many_as_it_finds_each) {
+    std::mt19937 random(5);
+    const std::vector<std::vector<NodeId>> sets{
+        {NodeId{7}, NodeId{8}, NodeId{9}, NodeId{10}},
+        {NodeId{2}, NodeId{3}, NodeId{5}, NodeId{9}},
+        {NodeId{1}, NodeId{500}, NodeId{90'000}},
+        {}};
+    for (const auto& ids : sets) {
+        const NodeLookup lookup(ids);
+        for (int i = 0; i < 2000; ++i) {
+            std::vector<std::int64_t> wanted;
+            for (int k = 0; k < 3; ++k) wanted.push_back(static_cast<std::int64_t>(random() % 13) - 1);
+            std::vector<NodeIndex> each, many(wanted.size());
+            for (const std::int64_t id : wanted) each.push_back(lookup(NodeId{id}));
+            const bool all = std::ranges::find(each, kNoNode) == each.end();
+            ASSERT_EQ(lookup.find(wanted, many.data()), all);
+            if (all) {
+                ASSERT_EQ(many, each);
+            }
+        }
+    }
+}
+
+TEST(Collapse, repeated_corners_are_noticed_wherever_they_stand) {
+    std::vector<NodeIndex> corners;
+    for (std::uint32_t i = 0; i < 8; ++i) corners.push_back(NodeIndex{100 * i});
+    EXPECT_TRUE(all_differ(corners));
+    for (std::size_t i = 0; i < 8; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            auto repeated = corners;
+            repeated[i] = repeated[j];
+            EXPECT_FALSE(all_differ(repeated)) << i << ' ' << j;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace feelem

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which reader gets which file, and what is said of files that nobody can read.
+#include "base/parallel.hpp"
+#include "base/parallel.hpp"
 #include "base/text_encoding.hpp"
 #include "read/include_files.hpp"
 #include "support/paths.hpp"
@@ -96,6 +98,23 @@ TEST(OpenModel, answers_an_unknown_reader_with_the_known_ones) {
 
 std::string boiler(const std::string& name) {
     return test::project_file("examples/boiler/" + name);
+}
+
+TEST(OpenModel, digests_that_are_made_while_reading_are_those_that_are_made_when_asked_for) {
+    set_thread_count(2);
+    const std::vector<std::string> paths{boiler("hex_linear/heat.frd"), boiler("hex_linear/static.frd")};
+    Diagnostics diagnostics;
+    ReadOptions early;
+    early.hash_early = true;
+    const auto model = open_model(paths, {}, diagnostics);
+    const auto ahead = open_model(paths, early, diagnostics);
+    ASSERT_EQ(ahead->inputs().size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(ahead->inputs()[i].sha256, model->inputs()[i].sha256);
+    // Nobody need wait for them.
+    open_model(paths, early, diagnostics).reset();
+    early.hash_inputs = false;
+    EXPECT_EQ(open_model(paths, early, diagnostics)->inputs()[0].sha256, "");
+    set_thread_count(0);
 }
 
 TEST(OpenModel, results_of_two_files_of_one_model_know_their_input) {

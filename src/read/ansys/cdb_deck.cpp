@@ -26,6 +26,7 @@ namespace {
 
 constexpr int kDeepestInclude = 8;
 constexpr std::size_t kMostInputs = 64;
+constexpr std::size_t kChunkBytes = 1U << 20U;  ///< Of text that is read in one go.
 
 /// Commands that make or change meshes by rules that Feelem does not follow.
 constexpr std::array<std::string_view, 20> kNotFollowed{
@@ -37,6 +38,42 @@ bool starts_row(std::string_view line, std::size_t id_width) {
     const auto blank_or_digit = [](char c) { return c == ' ' || is_digit(c); };
     return blank_or_digit(line[0]) && blank_or_digit(line[id_width - 2]) && is_digit(line[id_width - 1]);
 }
+
+/// Tells lines that begin a row from those that go on with one: an element may need two.
+class RowCounter {
+public:
+    RowCounter(const RowFormat& format, std::optional<ElementForm> form) : format_(format), form_(form) {}
+
+    bool begins(std::string_view line) {
+        if (!form_) return true;
+        if (further_ > 0) {
+            --further_;
+            return false;
+        }
+        if (*form_ == ElementForm::Solid) further_ = further_lines(line);
+        return true;
+    }
+
+private:
+    /// By the number of nodes in the ninth column, of which eleven columns less than all stand on this line.
+    std::size_t further_lines(std::string_view line) const {
+        constexpr std::size_t kAttributes = 11;
+        constexpr unsigned kMostNodes = 64;
+        const std::size_t end = 9 * format_.id_width;
+        if (format_.integers <= kAttributes || format_.id_width < 2 || line.size() < end) return 0;
+        const auto digit = [&](std::size_t at) {
+            return is_digit(line[at]) ? static_cast<unsigned>(line[at] - '0') : 0U;
+        };
+        const unsigned nodes = 10 * digit(end - 2) + digit(end - 1);
+        const std::size_t on_first = format_.integers - kAttributes;
+        if (nodes <= on_first || nodes > kMostNodes) return 0;
+        return (nodes - on_first + format_.integers - 1) / format_.integers;
+    }
+
+    const RowFormat& format_;
+    std::optional<ElementForm> form_;
+    std::size_t further_ = 0;
+};
 
 std::string_view without_quotes(std::string_view text) {
     text = trim(text);
@@ -213,7 +250,7 @@ private:
     }
 
     /// The format on the next line, and the rows behind it. `ranges`: negative numbers are no end.
-    BlockRows take_rows(const Command& command, bool ranges) {
+    BlockRows take_rows(const Command& command, bool ranges, std::optional<ElementForm> form = std::nullopt) {
         const std::string_view text = input().text();
         Lines lines(text, next_, text.size(), line_end_);
         const bool has_line = lines.next();
@@ -234,12 +271,18 @@ private:
         rows.begin = rows.end = lines.end();
         rows.format = *format;
         rows.line_end = line_end_;
+        RowCounter counter(*format, form);
         while (lines.next()) {
             if (!starts_row(lines.line(), format->id_width)) {
                 const char mark = first_mark(lines.line());
                 rows.ended = !(is_digit(mark) || mark == '+' || mark == '\0' || (ranges && mark == '-'));
             }
             if (rows.ended) break;
+            if (counter.begins(lines.line())) {
+                ++rows.rows;
+                const std::size_t last = rows.cuts.empty() ? rows.begin : rows.cuts.back();
+                if (lines.begin() >= last + kChunkBytes) rows.cuts.push_back(lines.begin());
+            }
             rows.end = lines.end();
             release_->at(rows.end);
         }
@@ -265,7 +308,7 @@ private:
         block.form = key.starts_with("SOL")   ? ElementForm::Solid
                      : key.starts_with("COM") ? ElementForm::Compact
                                               : ElementForm::Plain;
-        block.rows = take_rows(command, false);
+        block.rows = take_rows(command, false, block.form);
         block.rows.announced = announced(command);
         if (block.rows.format.id_width != block.rows.format.integer_width || block.rows.format.others != 0) {
             throw Error(

@@ -24,7 +24,9 @@ struct BlockRows {
     RowFormat format;
     std::int64_t announced = 0;  ///< A hint, never trusted.
     char line_end = '\n';
-    bool ended = false;  ///< By a row of its kind, not by the end of the file.
+    bool ended = false;             ///< By a row of its kind, not by the end of the file.
+    std::size_t rows = 0;           ///< Lines at which a row seems to begin: never fewer than there are rows.
+    std::vector<std::size_t> cuts;  ///< Beginnings of rows, as it seems, about a megabyte apart.
 };
 
 enum class ElementForm {

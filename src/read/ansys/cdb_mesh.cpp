@@ -2,7 +2,7 @@
 #include "read/ansys/cdb_mesh.hpp"
 
 #include "base/number.hpp"
-#include "read/ansys/cdb_rows.hpp"
+#include "read/ansys/cdb_chunks.hpp"
 #include "read/ansys/element_adder.hpp"
 
 #include "feelem/error.hpp"
@@ -42,16 +42,14 @@ public:
     }
 
 private:
-    /// At most what the rows could hold, whatever they announce.
+    /// As many as there are lines for, whatever they announce.
     void reserve() {
-        std::size_t count = deck_.nodes.size();
-        for (const BlockRows& rows : deck_.node_blocks) {
-            const std::string_view text = deck_.inputs[rows.input].text();
-            const std::size_t row = text.substr(rows.begin, rows.end - rows.begin).find('\n');
-            const std::size_t shortest = std::max<std::size_t>(std::min(row, rows.end - rows.begin), 16);
-            count += (rows.end - rows.begin) / shortest + 1;
-        }
-        builder_.reserve_nodes(count);
+        std::size_t nodes = deck_.nodes.size();
+        for (const BlockRows& rows : deck_.node_blocks) nodes += rows.rows;
+        builder_.reserve_nodes(nodes);
+        std::size_t elements = deck_.elements.size();
+        for (const ElementRows& block : deck_.element_blocks) elements += block.rows.rows;
+        builder_.expect_elements(elements);
     }
 
     template <class Where>
@@ -67,44 +65,95 @@ private:
         builder_.add_node(NodeId{id}, position, node.angles);
     }
 
-    void note_cut(const RowPlace& place, std::string_view block, const BlockRows& rows, std::int64_t count) {
+    void note_cut(const BlockRows& rows, std::string_view block, const ChunkEnd& last, std::int64_t count) {
         diagnostics_.add(
             Code::TruncatedInput,
-            [&] { return place.where(); },
+            [&] { return deck_.inputs[rows.input].where_line(last.last); },
             fmt::format("{} ends with the file, after {} rows of {}", block, count, rows.announced)
         );
     }
 
-    void read_nodes(const BlockRows& rows) {
-        ReleaseBehind& release = release_of_nodes_[rows.input];
-        NodeRows reader(deck_, rows);
-        while (reader.next()) {
-            add_node(reader.node(), [&] { return reader.place().where(); });
-            release.at(reader.place().offset());
-        }
-        const bool complete = rows.ended || reader.count() == rows.announced;
-        if (reader.cut() || !complete) note_cut(reader.place(), "NBLOCK", rows, reader.count());
+    /// Adds the chunks of a block in their order, and says when it is not whole.
+    template <class Chunk, class Read, class Take>
+    void read_block(
+        const BlockRows& rows,
+        std::string_view name,
+        ReleaseBehind& release,
+        const Read& read,
+        const Take& take
+    ) {
+        std::int64_t count = 0;
+        ChunkEnd last;
+        read_in_chunks<Chunk>(rows, read, [&](const Chunk& chunk) {
+            take(chunk);
+            count += chunk.end.count;
+            last = chunk.end;
+            release.at(last.end);
+        });
+        const bool complete = rows.ended || count == rows.announced;
+        if (last.cut || !complete) note_cut(rows, name, last, count);
     }
 
-    std::size_t most_nodes(std::int64_t number) {
-        const TypeShape& type = adder_.type_of(number);
-        if (type.name.empty()) return 0;
-        const auto shape = shape_of(type, kMaxElementNodes);
-        return shape ? shape->nodes : 1;
+    void read_nodes(const BlockRows& rows) {
+        read_block<NodeChunk>(
+            rows,
+            "NBLOCK",
+            release_of_nodes_[rows.input],
+            [&](NodeChunk& chunk, RowRange range) { chunk.read(deck_, rows, range); },
+            [&](const NodeChunk& chunk) { add_nodes(chunk, deck_.inputs[rows.input]); }
+        );
+    }
+
+    void add_nodes(const NodeChunk& chunk, const Input& input) {
+        std::size_t first = 0;
+        for (const NodeChunk::Odd& odd : chunk.odd) {
+            add_plain_nodes(chunk, first, odd.row);
+            const CommandNode node{raw(chunk.ids[odd.row]), chunk.positions[odd.row], odd.angles};
+            add_node(node, [&] { return input.where_line(odd.offset); });
+            first = odd.row + 1;
+        }
+        add_plain_nodes(chunk, first, chunk.ids.size());
+    }
+
+    void add_plain_nodes(const NodeChunk& chunk, std::size_t first, std::size_t end) {
+        if (first == end) return;
+        const auto ids = std::span(chunk.ids).subspan(first, end - first);
+        highest_node_ = std::max(highest_node_, raw(*std::ranges::max_element(ids)));
+        builder_.add_nodes(ids, std::span(chunk.positions).subspan(first, end - first));
     }
 
     void read_elements(const ElementRows& block) {
-        const Input& input = deck_.inputs[block.rows.input];
-        ReleaseBehind& release = release_of_elements_[block.rows.input];
         adder_.set_body(block.body);
-        ElementRowsReader reader(deck_, block, [this](std::int64_t type) { return most_nodes(type); });
-        while (reader.next()) {
-            adder_.add(input, reader.row());
-            highest_element_ = std::max(highest_element_, reader.row().id);
-            release.at(reader.place().offset());
+        read_block<ElementChunk>(
+            block.rows,
+            "EBLOCK",
+            release_of_elements_[block.rows.input],
+            [&](ElementChunk& chunk, RowRange range) {
+                chunk.read(deck_, block, range, adder_, builder_.nodes());
+            },
+            [&](const ElementChunk& chunk) { add_elements(chunk, deck_.inputs[block.rows.input]); }
+        );
+    }
+
+    void add_elements(const ElementChunk& chunk, const Input& input) {
+        for (const ElementChunk::Run& run : chunk.runs) {
+            const auto ids = std::span(chunk.ids).subspan(run.first, run.count);
+            highest_element_ = std::max(highest_element_, raw(*std::ranges::max_element(ids)));
+            if (run.type) {
+                const auto nodes = std::span(chunk.found).subspan(run.first_node, run.node_count);
+                adder_.add_whole(input, *run.type, run.material, ids, nodes, [&](std::size_t i) {
+                    return chunk.offsets[run.first + i];
+                });
+                continue;
+            }
+            ElementRowIds row;
+            row.id = raw(ids.front());
+            row.type = run.type_number;
+            row.material = run.material;
+            row.offset = chunk.offsets[run.first];
+            row.nodes = std::span(chunk.ids_of_nodes).subspan(run.first_node, run.node_count);
+            adder_.add(input, row);
         }
-        const bool complete = block.rows.ended || reader.count() == block.rows.announced;
-        if (reader.cut() || !complete) note_cut(reader.place(), "EBLOCK", block.rows, reader.count());
     }
 
     void add_command_elements() {

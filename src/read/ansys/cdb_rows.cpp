@@ -82,16 +82,19 @@ std::optional<std::string_view> BlockCursor::next() {
     return std::string_view(from, length);
 }
 
-NodeRows::NodeRows(const Deck& deck, const BlockRows& rows)
-    : rows_(rows), lines_(deck, rows), place_(deck.inputs[rows.input], "NBLOCK") {}
+NodeRows::NodeRows(const Deck& deck, const BlockRows& rows, RowRange range)
+    : rows_(rows), lines_(deck, rows, range), place_(deck.inputs[rows.input], "NBLOCK") {}
 
 bool NodeRows::next() {
     place_.at(lines_.at);
+    if (lines_.at >= lines_.stop) return false;
     if (length_ != 0 && read_fast()) {
         ++count_;
         return true;
     }
-    while (const auto line = lines_.next()) {
+    while (lines_.at < lines_.stop) {
+        const auto line = lines_.next();
+        if (!line) return false;
         // A number may be cut in two where the file ends.
         if (!rows_.ended && lines_.at_end() && !lines_.was_ended()) {
             if (line->find('\0') != std::string_view::npos) place_.bad_row(*line);
@@ -155,17 +158,22 @@ void NodeRows::read(std::string_view line) {
     length_ = whole && usual && lines_.was_ended() ? lines_.at - place_.offset() : 0;
 }
 
-ElementRowsReader::ElementRowsReader(const Deck& deck, const ElementRows& block, NodesOfType nodes_of_type)
-    : block_(block), nodes_of_type_(std::move(nodes_of_type)), lines_(deck, block.rows),
+ElementRowsReader::ElementRowsReader(
+    const Deck& deck, const ElementRows& block, RowRange range, NodesOfType nodes_of_type
+)
+    : block_(block), nodes_of_type_(std::move(nodes_of_type)), lines_(deck, block.rows, range),
       place_(deck.inputs[block.rows.input], "EBLOCK") {}
 
 bool ElementRowsReader::next() {
     place_.at(lines_.at);
+    if (lines_.at >= lines_.stop) return false;
     if (!alike_.empty() && read_fast()) {
         ++count_;
         return true;
     }
-    while (const auto line = lines_.next()) {
+    while (lines_.at < lines_.stop) {
+        const auto line = lines_.next();
+        if (!line) return false;
         if (is_blank(*line)) {
             place_.at(lines_.at);
             continue;

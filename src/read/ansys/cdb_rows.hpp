@@ -39,14 +39,21 @@ double real_field(
     std::string_view line, std::size_t first, std::size_t width, std::size_t decimals, const RowPlace& place
 );
 
+/// The rows of a block that begin in [first, stop) of its input.
+struct RowRange {
+    std::size_t first = 0, stop = 0;
+};
+
 /// A position among the lines of a block.
 struct BlockCursor {
     std::string_view text;
     std::size_t at = 0, end = 0;
+    std::size_t stop = 0;  ///< No row begins here or behind; the last one may go on to `end`.
     char line_end = '\n';
 
-    BlockCursor(const Deck& deck, const BlockRows& rows)
-        : text(deck.inputs[rows.input].text()), at(rows.begin), end(rows.end), line_end(rows.line_end) {}
+    BlockCursor(const Deck& deck, const BlockRows& rows, RowRange range)
+        : text(deck.inputs[rows.input].text()), at(range.first), end(rows.end), stop(range.stop),
+          line_end(rows.line_end) {}
     /// The next line, without its end and a carriage return; nothing at the end.
     std::optional<std::string_view> next();
     bool at_end() const { return at >= end; }
@@ -57,8 +64,9 @@ struct BlockCursor {
 /// Rows of an NBLOCK.
 class NodeRows {
 public:
-    NodeRows(const Deck& deck, const BlockRows& rows);
+    NodeRows(const Deck& deck, const BlockRows& rows, RowRange range);
     bool next();
+    std::size_t at() const { return lines_.at; }  ///< Where the next row begins.
     const CommandNode& node() const { return node_; }
     const RowPlace& place() const { return place_; }
     bool cut() const { return cut_; }  ///< The file ends in the middle of the last row, which is not given.
@@ -85,8 +93,9 @@ public:
     /// How many nodes elements of a type have at most: the plain forms do not say how many a row has.
     using NodesOfType = std::function<std::size_t(std::int64_t type)>;
 
-    ElementRowsReader(const Deck& deck, const ElementRows& block, NodesOfType nodes_of_type);
+    ElementRowsReader(const Deck& deck, const ElementRows& block, RowRange range, NodesOfType nodes_of_type);
     bool next();
+    std::size_t at() const { return lines_.at; }  ///< Where the next row begins.
     const ElementRowIds& row() const { return row_; }
     const RowPlace& place() const { return place_; }
     bool cut() const { return cut_; }

@@ -27,15 +27,6 @@ std::optional<PartIndex> find_part_of_material(const Mesh& mesh, std::int64_t ma
     return found;
 }
 
-bool SeenIds::insert(std::int64_t id) {
-    if (set_.empty() && (ids_.empty() || id > ids_.back())) {
-        ids_.push_back(id);
-        return true;
-    }
-    if (set_.empty()) set_.insert(ids_.begin(), ids_.end());
-    return set_.insert(id).second;
-}
-
 void ElementAdder::set_body(std::string_view body) {
     has_part_ = has_part_ && body == body_;
     body_ = body;
@@ -44,9 +35,7 @@ void ElementAdder::set_body(std::string_view body) {
 void ElementAdder::add(const Input& input, const ElementRowIds& row) {
     const auto where = [&] { return input.where_line(row.offset); };
     if (!seen_.insert(row.id)) {
-        diagnostics_.add(
-            Code::DuplicateElement, where, "elements are listed more than once; the first counts"
-        );
+        note_duplicate(input, row.offset);
         return;
     }
     const TypeShape& type = type_of(row.type);
@@ -94,6 +83,20 @@ const TypeShape& ElementAdder::type_of(std::int64_t number) {
         type_ = &types_[fits ? static_cast<int>(number) : std::numeric_limits<std::int32_t>::max()];
     }
     return *type_;
+}
+
+const TypeShape* ElementAdder::find_type(std::int64_t number) const {
+    if (number < 0 || number > std::numeric_limits<std::int32_t>::max()) return nullptr;
+    const auto found = types_.find(static_cast<int>(number));
+    return found == types_.end() ? nullptr : &found->second;
+}
+
+void ElementAdder::note_duplicate(const Input& input, std::size_t offset) {
+    diagnostics_.add(
+        Code::DuplicateElement,
+        [&] { return input.where_line(offset); },
+        "elements are listed more than once; the first counts"
+    );
 }
 
 PartIndex ElementAdder::part_of(std::int64_t material) {

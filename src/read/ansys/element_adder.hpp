@@ -14,8 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_set>
-#include <vector>
+#include <unordered_map>
 
 namespace feelem::ansys {
 
@@ -25,14 +24,30 @@ std::string part_name(std::int64_t material, std::string_view body = {});
 /// The part of a material: "material 2", or the only body of it. Empty when there is none.
 std::optional<PartIndex> find_part_of_material(const Mesh& mesh, std::int64_t material);
 
-/// Whether an element id was there before: cheap as long as ids ascend.
+/// Whether an element id was there before: a bit an id, in pages of ids that lie near each other, so that ids
+/// cost as little as they are dense, in whatever order they come.
 class SeenIds {
 public:
-    bool insert(std::int64_t id);
+    /// False when it was there.
+    bool insert(std::int64_t id) {
+        constexpr int kBits = 9;
+        if (id >> kBits != page_ || bits_ == nullptr) {
+            page_ = id >> kBits;
+            bits_ = &pages_[page_];
+        }
+        const auto at = static_cast<std::uint64_t>(id) & ((1U << kBits) - 1);
+        std::uint64_t& word = (*bits_)[at / 64];
+        const std::uint64_t bit = std::uint64_t{1} << (at % 64);
+        const bool is_new = (word & bit) == 0;
+        word |= bit;
+        return is_new;
+    }
 
 private:
-    std::vector<std::int64_t> ids_;
-    std::unordered_set<std::int64_t> set_;
+    using Page = std::array<std::uint64_t, 8>;
+    std::unordered_map<std::int64_t, Page> pages_;
+    std::int64_t page_ = 0;
+    Page* bits_ = nullptr;  ///< Of page_: ids mostly ascend.
 };
 
 class ElementAdder {
@@ -54,10 +69,44 @@ public:
         std::size_t offset
     );
 
+    /// Rows of one type and material that nothing has to be done for but to see whether their ids are new:
+    /// MeshBuilder::add_whole_elements. `offset(i)`: where the i-th stands.
+    template <class Offset>
+    void add_whole(
+        const Input& input,
+        ElementType type,
+        std::int64_t material,
+        std::span<const ElementId> ids,
+        std::span<const NodeIndex> found,
+        const Offset& offset
+    ) {
+        const PartIndex part = part_of(material);
+        const std::size_t width = ids.empty() ? 0 : found.size() / ids.size();
+        std::size_t first = 0;  // Of those that are not added yet.
+        const auto add_until = [&](std::size_t end) {
+            builder_.add_whole_elements(
+                type,
+                part,
+                ids.subspan(first, end - first),
+                found.subspan(first * width, (end - first) * width)
+            );
+        };
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            if (seen_.insert(raw(ids[i]))) continue;
+            if (i > first) add_until(i);
+            first = i + 1;
+            note_duplicate(input, offset(i));
+        }
+        if (ids.size() > first) add_until(ids.size());
+    }
+
     const TypeShape& type_of(std::int64_t number);
+    /// The same; nothing for a number that no table has. For several threads at once.
+    const TypeShape* find_type(std::int64_t number) const;
 
 private:
     PartIndex part_of(std::int64_t material);
+    void note_duplicate(const Input& input, std::size_t offset);
     void leave_out(const ElementRowIds& row, const TypeShape& type, const MeshBuilder::Where& where);
     void warn_of_extra_nodes(
         const ElementRowIds& row, const TypeShape& type, const MeshBuilder::Where& where
