@@ -7,6 +7,7 @@
 #include "feelem/mesh.hpp"
 #include "feelem/result.hpp"
 
+#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@ struct Derivation {
     bool (*applies)(const ResultInfo& info);
     /// `row` holds the result's components; NaN in gives NaN out.
     double (*make)(const ResultInfo& info, std::span<const float> row);
+    /// The same from the tensor's eigenvalues, largest first, which several derivations share; null: it is
+    /// not made of them.
+    double (*of_principals)(const std::array<double, 3>& principals) = nullptr;
 };
 std::span<const Derivation> derivations();
 
@@ -29,6 +33,13 @@ std::vector<std::string_view> derivable_components(const ResultInfo& info);
 /// A scalar result with the rows of `result`: a stored component, or a derived one. Throws
 /// Error(UnknownName).
 Result component_of(const Result& result, std::string_view component);
+
+/// The same of several components, in their order: what they share is computed once a row.
+std::vector<Result> components_of(const Result& result, std::span<const std::string_view> components);
+/// Those of these components that are made of the tensor's eigenvalues, the costly part.
+std::vector<std::string_view> made_of_principals(
+    const ResultInfo& info, std::span<const std::string_view> components
+);
 
 /// What averaging makes of an element-nodal result, without its values: part-nodal (Averaging::Part) or nodal
 /// (Averaging::All). Invariants that the file lists of each element are left out: those of the averaged

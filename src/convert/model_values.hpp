@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace feelem {
@@ -21,6 +22,20 @@ Result load_prepared(ModelSource& source, std::size_t index, Averaging averaging
 
 /// Stored components first, then those that can be derived.
 std::vector<std::string> all_components(const ResultInfo& info);
+
+/// Derived components of a result, given away as they are asked for. What is made of the tensor's eigenvalues
+/// is made at once, when the first of it is asked for: they are the costly part.
+class DerivedComponents {
+public:
+    /// `result` must outlive it.
+    DerivedComponents(const Result& result, std::vector<std::string_view> wanted);
+    Result take(std::string_view component);
+
+private:
+    const Result& result_;
+    std::vector<std::string_view> together_;  ///< Of the wanted ones, those that are made at once.
+    std::vector<Result> made_;
+};
 
 /// Over all rows; NaN does not count.
 ComponentRange range_over_model(const Mesh& mesh, const Result& result, std::size_t component);

@@ -65,8 +65,9 @@ Result with_all_components(const Result& result) {
     out.row_node = result.row_node;
     const std::size_t width = out.info.components.size();
     out.values.resize(result.row_count() * width);
+    DerivedComponents derived(result, derivable_components(result.info));
     for (std::size_t c = 0; c < width; ++c) {
-        const Result one = component_of(result, out.info.components[c]);
+        const Result one = derived.take(out.info.components[c]);
         for (std::size_t row = 0; row < one.values.size(); ++row)
             out.values[row * width + c] = one.values[row];
     }

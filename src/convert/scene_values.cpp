@@ -46,9 +46,20 @@ SceneValueStore::SceneValueStore(ModelSource& source, const Surface& surface, co
     : source_(source), surface_(surface), plan_(plan),
       byte_limit_(std::max(kLeastLimit, bytes_of(surface) / 2)) {}
 
-Result SceneValueStore::made_of(const Result& result, const PlannedResult& planned) const {
+Result SceneValueStore::made_of(
+    const Result& result, const PlannedResult& planned, DerivedComponents& derived
+) const {
     if (planned.components.size() > 1) return pick_components(result, planned.components);
-    return component_of(result, planned.components.front());
+    return derived.take(planned.components.front());
+}
+
+std::vector<std::string_view> SceneValueStore::single_components(std::span<const Key> keys) const {
+    std::vector<std::string_view> names;
+    for (const Key& key : keys) {
+        const std::vector<std::string>& components = plan_.results[key.first].components;
+        if (components.size() == 1) names.push_back(components.front());
+    }
+    return names;
 }
 
 void SceneValueStore::keep(const Key& key, SurfaceField field) {
@@ -69,12 +80,13 @@ void SceneValueStore::read_all(const Progress& progress) {
     for (const auto& [index, keys] : users) {
         report_progress(progress, "results", fraction_of(done++, users.size()));
         const Result result = source_.load(index);
+        DerivedComponents derived(result, single_components(keys));
         std::uint64_t filled = 0;  // The same vertices in each of its components.
         for (const Key& key : keys) {
             const PlannedResult& planned = plan_.results[key.first];
             // Usually the whole result: then it is not copied.
             const bool is_whole = planned.components == result.info.components;
-            const Result made = is_whole ? Result{} : made_of(result, planned);
+            const Result made = is_whole ? Result{} : made_of(result, planned, derived);
             const Result& values = is_whole ? result : made;
             for (std::size_t c = 0; c < planned.components.size(); ++c) {
                 ranges_[key].push_back(range_over_model(source_.mesh(), values, c));
@@ -97,7 +109,8 @@ SurfaceField SceneValueStore::field(std::size_t result, std::size_t values) {
     const PlannedResult& planned = plan_.results.at(result);
     const Result all = source_.load(planned.values.at(values).source_result);
     if (planned.components == all.info.components) return carry(source_.mesh(), surface_, all);
-    return carry(source_.mesh(), surface_, made_of(all, planned));
+    DerivedComponents derived(all, {});
+    return carry(source_.mesh(), surface_, made_of(all, planned, derived));
 }
 
 SurfaceField SceneValueStore::take_field(std::size_t result, std::size_t values) {

@@ -3,12 +3,15 @@
 // it; fields wait in memory up to a limit, what is beyond is read again when it is asked for.
 #pragma once
 
+#include "convert/model_values.hpp"
 #include "convert/scene_plan.hpp"
 
 #include "feelem/skin.hpp"
 
 #include <cstddef>
 #include <map>
+#include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,7 +36,8 @@ public:
 private:
     using Key = std::pair<std::size_t, std::size_t>;  // scene result, values
     /// Exactly the components that the planned result has, stored or derived.
-    Result made_of(const Result& result, const PlannedResult& planned) const;
+    Result made_of(const Result& result, const PlannedResult& planned, DerivedComponents& derived) const;
+    std::vector<std::string_view> single_components(std::span<const Key> keys) const;
     void keep(const Key& key, SurfaceField field);
 
     ModelSource& source_;

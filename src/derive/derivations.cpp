@@ -52,14 +52,20 @@ double von_mises(const ResultInfo& info, std::span<const float> row) {
     return std::sqrt((a * a + b * b + c * c) / 2 + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
-double tresca(const ResultInfo& info, std::span<const float> row) {
-    const auto principal = eigenvalues(tensor_of(info, row));
-    return principal[0] - principal[2];
+using OfPrincipals = double (*)(const std::array<double, 3>&);
+
+double tresca(const std::array<double, 3>& principals) {
+    return principals[0] - principals[2];
 }
 
 template <std::size_t I>
-double principal(const ResultInfo& info, std::span<const float> row) {
-    return eigenvalues(tensor_of(info, row))[I];
+double principal(const std::array<double, 3>& principals) {
+    return principals[I];
+}
+
+template <OfPrincipals make>
+double from_row(const ResultInfo& info, std::span<const float> row) {
+    return make(principals_of(info, row));
 }
 
 constexpr std::array kTable{
@@ -74,17 +80,33 @@ constexpr std::array kTable{
         "tresca",
         "principal_1 - principal_3, Tresca 1864: twice the largest shear stress; Ansys SINT. Stress alone",
         is_stress,
+        from_row<tresca>,
         tresca},
     Derivation{
         "principal_1",
         "largest eigenvalue of the tensor (engineering shear halved), by Jacobi's method; Ansys S1",
         is_tensor,
+        from_row<principal<0>>,
         principal<0>},
-    Derivation{"principal_2", "middle eigenvalue of the tensor; Ansys S2", is_tensor, principal<1>},
-    Derivation{"principal_3", "smallest eigenvalue of the tensor; Ansys S3", is_tensor, principal<2>},
+    Derivation{
+        "principal_2",
+        "middle eigenvalue of the tensor; Ansys S2",
+        is_tensor,
+        from_row<principal<1>>,
+        principal<1>},
+    Derivation{
+        "principal_3",
+        "smallest eigenvalue of the tensor; Ansys S3",
+        is_tensor,
+        from_row<principal<2>>,
+        principal<2>},
 };
 
 }  // namespace
+
+std::array<double, 3> principals_of(const ResultInfo& info, std::span<const float> row) {
+    return eigenvalues(tensor_of(info, row));
+}
 
 std::span<const Derivation> derivations() {
     return kTable;

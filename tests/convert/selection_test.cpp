@@ -117,6 +117,32 @@ TEST(Range, smallest_id_on_a_tie_also_across_parts) {
     EXPECT_EQ(range.missing, 4U) << "of 8 nodes";
 }
 
+TEST(Range, of_more_rows_than_are_searched_at_once_takes_the_smallest_ids) {
+    const Mesh mesh = brick_grid(40, 40, 40);
+    ASSERT_GT(mesh.node_count(), std::size_t{3} << 14U);
+    Result result;
+    result.info.components = {"value"};
+    result.info.location = Location::PartNodal;
+    // Nodes backwards, so that the smallest number of equal values stands last.
+    for (std::size_t i = mesh.node_count(); i-- > 0;) {
+        result.row_owner.push_back(0);
+        result.row_node.push_back(NodeIndex{static_cast<std::uint32_t>(i)});
+        result.values.push_back(i % 20'000 == 9'000 ? 7.0F : i % 20'000 == 5 ? -3.0F : 1.0F);
+    }
+    result.values[11] = std::nanf("");
+    result.values[12] = 0;
+
+    const ComponentRange range = range_over_model(mesh, result, 0);
+
+    EXPECT_EQ(range.max, 7);
+    EXPECT_EQ(range.max_id, raw(mesh.node_ids[9'000]));
+    EXPECT_EQ(range.min, -3);
+    EXPECT_EQ(range.min_id, raw(mesh.node_ids[5]));
+    EXPECT_EQ(range.valid, mesh.node_count() - 1);
+    EXPECT_EQ(range.missing, 1U);
+    EXPECT_EQ(range.zeros, 1U);
+}
+
 TEST(Range, of_nothing_is_no_range) {
     const Mesh mesh = brick_grid(1, 1, 1);
     Result result;

@@ -8,9 +8,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
+#include <string_view>
+#include <vector>
 
 namespace feelem {
 namespace {
@@ -70,6 +74,34 @@ TEST(Derive, hydrostatic_stress_has_no_equivalent_stress) {
     EXPECT_THAT(component_of(stress, "von_mises").values, ElementsAre(0));
     EXPECT_THAT(component_of(stress, "tresca").values, ElementsAre(0));
     EXPECT_THAT(component_of(stress, "principal_1").values, ElementsAre(-7));
+}
+
+TEST(Derive, several_components_at_once_are_each_what_it_is_alone) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> number(-100, 100);
+    Result stress = tensor_result("stress", {});
+    for (int i = 0; i < 6 * 9000; ++i) stress.values.push_back(number(random));
+    stress.values[6 * 5000] = kNan;
+    stress.info.shear = Shear::Engineering;
+    const std::vector<std::string_view> names{"tresca", "zz", "principal_3", "von_mises", "principal_2"};
+
+    const std::vector<Result> together = components_of(stress, names);
+
+    ASSERT_EQ(together.size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Result alone = component_of(stress, names[i]);
+        EXPECT_THAT(together[i].info.components, ElementsAre(names[i]));
+        EXPECT_EQ(together[i].info.shear, alone.info.shear);
+        ASSERT_EQ(together[i].values.size(), 9000U);
+        EXPECT_EQ(std::isnan(together[i].values[5000]), names[i] != "zz");
+        EXPECT_EQ(
+            std::memcmp(together[i].values.data(), alone.values.data(), sizeof(float) * alone.values.size()),
+            0
+        ) << names[i];
+    }
+    const std::array row{5.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F};
+    EXPECT_EQ(component_of(tensor_result("stress", {row.begin(), row.end()}), "principal_1").values[0], 5.0F);
+    EXPECT_THAT(made_of_principals(stress.info, names), ElementsAre("tresca", "principal_3", "principal_2"));
 }
 
 TEST(Derive, equivalents_are_made_for_stress_alone) {

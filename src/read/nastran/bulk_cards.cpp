@@ -3,6 +3,7 @@
 
 #include "read/nastran/bulk_card.hpp"
 #include "read/nastran/nastran_elements.hpp"
+#include "read/nastran/plain_cards.hpp"
 
 #include "feelem/error.hpp"
 
@@ -12,7 +13,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace feelem::nastran {
 namespace {
@@ -37,14 +41,69 @@ public:
 
     BulkCards collect() {
         CardHead head;
-        while (deck_.next(head)) {
+        while (take_plain_cards(), deck_.next(head)) {
             for (const std::string_view comment : deck_.take_names()) out_.names.add_comment(comment);
             read_card(head);
+        }
+        for (std::size_t i = 0; i < element_counts_.size(); ++i) {
+            if (element_counts_[i] > 0)
+                out_.element_cards[std::string(nastran::element_cards()[i].name)] += element_counts_[i];
         }
         return std::move(out_);
     }
 
 private:
+    /// Cards that need no care, as long as they follow each other: those of a mesh, nearly always.
+    void take_plain_cards() {
+        const auto ahead = deck_.ahead();
+        if (!ahead) return;
+        std::size_t at = ahead->offset;
+        std::uint64_t count = 0;
+        while (at < ahead->text.size()) {
+            const char letter = ahead->text[at];
+            const auto next = letter == 'G'   ? take_plain_grid(ahead->text, at)
+                              : letter == 'C' ? take_plain_element(ahead->text, at)
+                                              : std::nullopt;
+            if (!next) break;
+            at = *next;
+            ++count;
+        }
+        deck_.go_on_at(at, count);
+    }
+
+    std::optional<std::size_t> take_plain_grid(std::string_view text, std::size_t at) {
+        BulkGrid grid;
+        const auto next = read_plain_grid(text, at, grid);
+        if (next) out_.grids.push_back(grid);
+        return next;
+    }
+
+    std::optional<std::size_t> take_plain_element(std::string_view text, std::size_t at) {
+        const std::size_t length = text.substr(at, 9).find_first_of(" ,*\t\r\n");
+        if (length == std::string_view::npos) return {};
+        const ElementCard* card = element_card(text.substr(at, length));
+        if (card == nullptr || card->name == "PLOTEL") return {};
+        const auto head = look_over_plain_card(text, at, length);
+        if (!head || head->id <= 0) return {};
+        add_element(*card, head->id, at, text[at + length] == '*', 0);
+        return head->next;
+    }
+
+    void add_element(
+        const ElementCard& card, std::int64_t id, std::size_t offset, bool large, std::uint8_t shift
+    ) {
+        const auto index = static_cast<std::size_t>(&card - nastran::element_cards().data());
+        BulkElement place;
+        place.id = id;
+        place.offset = offset;
+        place.file = deck_.file();
+        place.card = static_cast<std::uint16_t>(index);
+        place.large = large;
+        place.shift = shift;
+        out_.elements.push_back(place);
+        ++element_counts_[index];
+    }
+
     std::string here() const { return deck_.where(deck_.file(), card_offset_); }
 
     [[noreturn]] void bad_field(std::string_view card, std::size_t field, std::string_view expected) const {
@@ -238,19 +297,9 @@ private:
     }
 
     void note_element(const CardHead& head, const ElementCard& card) {
-        BulkElement place;
-        place.id = id(card.name, 1);
-        place.offset = head.offset;
-        place.file = deck_.file();
-        place.card = static_cast<std::uint16_t>(&card - element_cards().data());
-        place.large = head.large;
-        out_.elements.push_back(place);
-        ++out_.element_cards[std::string(card.name)];
+        add_element(card, id(card.name, 1), head.offset, head.large, 0);
         if (card.name != "PLOTEL" || card_.is_blank(1 + kSecondPlotel)) return;
-        place.id = id(card.name, 1 + kSecondPlotel);
-        place.shift = kSecondPlotel;
-        out_.elements.push_back(place);
-        ++out_.element_cards[std::string(card.name)];
+        add_element(card, id(card.name, 1 + kSecondPlotel), head.offset, head.large, kSecondPlotel);
     }
 
     BulkDeck& deck_;
@@ -258,6 +307,8 @@ private:
     BulkCard card_;
     std::uint64_t card_offset_ = 0;
     const ElementCard* last_card_ = nullptr;
+    std::vector<std::uint64_t> element_counts_ =
+        std::vector<std::uint64_t>(nastran::element_cards().size());  ///< By card.
     BulkCards out_;
 };
 

@@ -74,9 +74,18 @@ std::optional<Include> include_at(std::string_view text, std::size_t offset) {
 }
 
 bool has_begin_bulk(std::string_view text) {
-    BulkLines lines(text);
-    while (lines.advance()) {
-        if (begins_bulk(lines.line()) || begins_superelement(lines.line())) return true;
+    // By its first letter: whole meshes may follow without it.
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t first = at;
+        while (first < text.size() && (text[first] == ' ' || text[first] == '\t')) ++first;
+        if (first < text.size() && to_capital(text[first]) == 'B') {
+            BulkLines lines(text, at);
+            if (lines.advance() && (begins_bulk(lines.line()) || begins_superelement(lines.line())))
+                return true;
+        }
+        const void* end = std::memchr(text.data() + first, '\n', text.size() - first);
+        if (end == nullptr) break;
+        at = static_cast<std::size_t>(static_cast<const char*>(end) - text.data()) + 1;
     }
     return false;
 }
@@ -194,6 +203,24 @@ bool BulkDeck::next(CardHead& head) {
             frames_.clear();
         }
     }
+}
+
+std::optional<BulkDeck::Ahead> BulkDeck::ahead() const {
+    if (frames_.empty() || !in_bulk_ || skips_) return {};
+    const Frame& frame = frames_.back();
+    Ahead ahead{files_[frame.file].text(), frame.lines.next_offset()};
+    // Lines that the card before goes on with.
+    while (ahead.offset < ahead.text.size()) {
+        BulkLines lines(ahead.text, ahead.offset);
+        if (!lines.advance() || lines.offset() != ahead.offset || !is_continuation(lines.line())) break;
+        ahead.offset = lines.next_offset();
+    }
+    return ahead;
+}
+
+void BulkDeck::go_on_at(std::size_t offset, std::uint64_t cards_read) {
+    frames_.back().lines.go_to(offset);
+    card_count_ += cards_read;
 }
 
 std::vector<std::string_view> BulkDeck::take_names() {

@@ -35,6 +35,13 @@ public:
 
     /// The next card of the bulk data; false at the end.
     bool next(CardHead& head);
+    /// Where the next line starts, when it is bulk data; whoever reads cards there by himself says so.
+    struct Ahead {
+        std::string_view text;  ///< Of the file.
+        std::size_t offset = 0;
+    };
+    std::optional<Ahead> ahead() const;
+    void go_on_at(std::size_t offset, std::uint64_t cards_read);
     /// Where the last card is.
     std::uint32_t file() const noexcept { return frames_.back().file; }
     const Input& input(std::uint32_t file) const { return files_[file]; }

@@ -12,6 +12,7 @@
 #include "read/nastran/bulk_cards.hpp"
 #include "read/nastran/bulk_deck.hpp"
 #include "read/nastran/nastran_elements.hpp"
+#include "read/nastran/plain_cards.hpp"
 
 #include "feelem/error.hpp"
 
@@ -135,25 +136,10 @@ private:
     }
 
     void read_element(const BulkElement& place, const ElementCard& card) {
-        CardHead head;
-        head.offset = place.offset;
-        head.large = place.large;
-        card_.read(deck_.input(place.file).text(), head);
         const auto where = [&] { return deck_.where(place.file, place.offset); };
-        std::array<std::int64_t, kMaxElementNodes> nodes{};
-        const std::size_t first = card.first_node + std::size_t{place.shift};
-        for (std::size_t i = 0; i < card.node_count(); ++i) {
-            const std::string_view field = card_.field(first + i);
-            const auto node = field.empty() ? std::optional<std::int64_t>(0) : parse_node(field);
-            if (!node) {
-                throw Error(
-                    Code::BadNumber,
-                    where(),
-                    fmt::format("{} {}: \"{}\" is no grid number", card.name, place.id, field)
-                );
-            }
-            nodes[i] = *node;
-        }
+        RowNodes nodes{};
+        std::int64_t property = kBlankField;
+        if (!read_plain(place, card, nodes, property)) read_card(place, card, nodes, property);
         const auto arranged = arrange_nodes(card, std::span(nodes).first(card.node_count()));
         if (!arranged) {
             throw Error(
@@ -164,21 +150,64 @@ private:
             ElementId{place.id},
             arranged->type,
             std::span(arranged->nodes).first(arranged->count),
-            part_of(card, place.id),
+            part_of(card, place.id, property),
             where
         );
     }
 
+    using RowNodes = std::array<std::int64_t, kMaxElementNodes>;
+
+    bool read_plain(
+        const BulkElement& place, const ElementCard& card, RowNodes& nodes, std::int64_t& property
+    ) {
+        const std::size_t first = card.first_node - std::size_t{1};
+        PlainFields fields;
+        const std::string_view text = deck_.input(place.file).text();
+        const bool is_plain =
+            place.shift == 0 &&
+            read_plain_fields(text, place.offset, card.name.size(), first + card.node_count(), fields);
+        if (!is_plain) return false;
+        for (std::size_t i = 0; i < card.node_count(); ++i) {
+            const std::int64_t node = fields.values[first + i];
+            if (node > std::numeric_limits<std::int32_t>::max()) return false;
+            nodes[i] = node == kBlankField ? 0 : node;
+        }
+        property = card.property == 0 ? kBlankField : fields.values[card.property - std::size_t{1}];
+        return true;
+    }
+
+    void read_card(
+        const BulkElement& place, const ElementCard& card, RowNodes& nodes, std::int64_t& property
+    ) {
+        CardHead head;
+        head.offset = place.offset;
+        head.large = place.large;
+        card_.read(deck_.input(place.file).text(), head);
+        const std::size_t first = card.first_node + std::size_t{place.shift};
+        for (std::size_t i = 0; i < card.node_count(); ++i) {
+            const std::string_view field = card_.field(first + i);
+            const auto node = field.empty() ? std::optional<std::int64_t>(0) : parse_node(field);
+            if (!node) {
+                throw Error(
+                    Code::BadNumber,
+                    deck_.where(place.file, place.offset),
+                    fmt::format("{} {}: \"{}\" is no grid number", card.name, place.id, field)
+                );
+            }
+            nodes[i] = *node;
+        }
+        if (card.property != 0 && !card_.is_blank(card.property))
+            property = card_.integer(card.property).value_or(place.id);
+    }
+
     static std::optional<std::int64_t> parse_node(std::string_view field);
 
-    PartIndex part_of(const ElementCard& card, std::int64_t element) {
+    PartIndex part_of(const ElementCard& card, std::int64_t element, std::int64_t property) {
         if (card.property == 0) return builder_.part(card.name);
-        auto property =
-            card_.is_blank(card.property) ? std::optional(kBlankField) : card_.integer(card.property);
         if (property == kBlankField && card.name == "CBAR") property = cards_.bar_property;
         if (property == kBlankField && card.name == "CBEAM") property = cards_.beam_property;
         // Blank: the property has the element's number.
-        const std::int64_t id = property && *property != kBlankField ? *property : element;
+        const std::int64_t id = property != kBlankField ? property : element;
         const bool by_material = card.name == "CTRIAX6";
         if (id != last_property_ || by_material != last_by_material_) {
             last_part_ =
