@@ -152,6 +152,10 @@ std::optional<PlainHead> look_over_free_card(std::string_view text, std::size_t 
     return head;
 }
 
+bool ends_line(const char* at) {
+    return *at == '\n' || (at[0] == '\r' && at[1] == '\n');
+}
+
 /// Free fields of one line from `at` on, behind the comma of its first field; moves `at` behind the eighth or
 /// to the line's end. False: not plain.
 bool take_free_fields(
@@ -161,9 +165,9 @@ bool take_free_fields(
     for (std::size_t i = base; i < std::min(base + 8, wanted); ++i) {
         if (end - p < kNumberRoom) return false;
         p = skip_blanks(p);
-        if (*p != ',' && *p != '\n' && *p != '\r' && !take_digits(p, fields.values[i])) return false;
+        if (*p != ',' && !ends_line(p) && !take_digits(p, fields.values[i])) return false;
         p = skip_blanks(p);
-        if (*p == '\n' || *p == '\r') break;
+        if (ends_line(p)) break;
         if (*p++ != ',') return false;
     }
     at = p;
