@@ -4,6 +4,7 @@
 #include "base/sha256.hpp"
 #include "byte_range.hpp"
 #include "gzip.hpp"
+#include "zstd.hpp"
 
 #include <fmt/format.h>
 
@@ -17,10 +18,10 @@ namespace feelem::server {
 namespace {
 
 /// What three.js and the page need and nothing more: images and workers made in the page, files of this
-/// server.
+/// server, and WebAssembly (the decoder of compressed scenes).
 constexpr const char* kContentSecurityPolicy =
-    "default-src 'self'; img-src 'self' data: blob:; connect-src 'self' data: blob:; worker-src 'self' "
-    "blob:; "
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data: blob:; "
+    "connect-src 'self' data: blob:; worker-src 'self' blob:; "
     "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 constexpr std::size_t kChunk = 256 << 10;
@@ -49,11 +50,12 @@ MediaType media_type(std::string_view path) {
 }
 
 /// "gzip" or "x, gzip;q=0.5", not "gzip;q=0".
-bool takes_gzip(const RequestHead& head) {
+bool takes(const RequestHead& head, std::string_view coding) {
     const std::string_view accepted = head.header("accept-encoding");
-    const std::size_t at = accepted.find("gzip");
+    const std::size_t at = accepted.find(coding);
     if (at == std::string_view::npos) return false;
-    const std::string_view rest = accepted.substr(at + 4, accepted.find(',', at) - at - 4);
+    const std::size_t after = at + coding.size();
+    const std::string_view rest = accepted.substr(after, accepted.find(',', at) - after);
     const std::size_t weight = rest.find("q=");
     return weight == std::string_view::npos ||
            rest.substr(weight + 2).find_first_of("123456789") != std::string_view::npos;
@@ -107,17 +109,21 @@ void answer_bytes(
     );
 }
 
-/// A text from disk, compressed on its way.
+/// A file from disk, compressed on its way.
+template <class Packer>
 void answer_compressed(
-    const Exchange& exchange, const std::string& type, std::shared_ptr<const ServedFile> file
+    const Exchange& exchange,
+    const std::string& type,
+    const std::string& coding,
+    std::shared_ptr<const ServedFile> file
 ) {
     exchange.response.status = 200;
-    exchange.response.set_header("Content-Encoding", "gzip");
+    exchange.response.set_header("Content-Encoding", coding);
     exchange.response.set_chunked_content_provider(
         type,
         [file = std::move(file),
          at = std::size_t{0},
-         packer = std::make_shared<GzipPacker>(),
+         packer = std::make_shared<Packer>(),
          piece = std::vector<char>(kChunk)](std::size_t, httplib::DataSink& sink) mutable {
             const std::size_t got =
                 file->read(at, std::span(piece).first(std::min(kChunk, file->size() - at)));
@@ -130,6 +136,15 @@ void answer_compressed(
             return true;
         }
     );
+}
+
+/// How a file is compressed on its way: texts for all, numbers for those who are asked to come through the
+/// air (on this machine it would only cost time). Empty: not at all.
+std::string coding_of(const Exchange& exchange, const MediaType& type, const ServedFile& file) {
+    const RequestHead& head = exchange.head;
+    if (head.count("range") > 0 || head.version == "HTTP/1.0" || file.size() == 0) return "";
+    if (type.is_text) return takes(head, "gzip") ? "gzip" : "";
+    return exchange.is_private && takes(head, "zstd") ? "zstd" : "";
 }
 
 std::string_view text_of(std::span<const std::byte> bytes) {
@@ -170,7 +185,7 @@ void answer_asset(const Exchange& exchange, const Asset& asset) {
         "Cache-Control", has_hash ? scope + ", max-age=31536000, immutable" : "no-cache"
     );
     exchange.response.set_header("Vary", "Accept-Encoding");
-    const bool as_gzip = takes_gzip(exchange.head);
+    const bool as_gzip = takes(exchange.head, "gzip");
     const std::string etag = fmt::format("\"{}{}\"", asset.hash, as_gzip ? "-gzip" : "");
     if (is_known(exchange, etag)) return;
     auto plain = std::make_shared<const std::string>(as_gzip ? std::string() : unpack(asset.gzip));
@@ -190,19 +205,20 @@ void answer_asset(const Exchange& exchange, const Asset& asset) {
 void answer_file(const Exchange& exchange, const std::shared_ptr<const ServedFile>& file) {
     exchange.response.set_header("Cache-Control", exchange.is_private ? "private, no-cache" : "no-cache");
     const MediaType type = media_type(exchange.request.path);
-    if (type.is_text) exchange.response.set_header("Vary", "Accept-Encoding");
-    const bool as_gzip = type.is_text && takes_gzip(exchange.head) && exchange.head.count("range") == 0 &&
-                         exchange.head.version != "HTTP/1.0" && file->size() > 0;
-    const std::string etag =
-        as_gzip ? file->etag().substr(0, file->etag().size() - 1) + "-gzip\"" : file->etag();
-    if (is_known(exchange, etag)) return;
-    if (as_gzip) return answer_compressed(exchange, std::string(type.type), file);
+    const std::string coding = coding_of(exchange, type, *file);
+    if (type.is_text || exchange.is_private) exchange.response.set_header("Vary", "Accept-Encoding");
+    const std::string version = file->etag().substr(0, file->etag().size() - 1);
+    if (is_known(exchange, coding.empty() ? file->etag() : version + "-" + coding + "\"")) return;
+    if (coding == "gzip")
+        return answer_compressed<GzipPacker>(exchange, std::string(type.type), coding, file);
+    if (coding == "zstd")
+        return answer_compressed<ZstdPacker>(exchange, std::string(type.type), coding, file);
     auto piece = std::make_shared<std::vector<char>>();
     answer_bytes(
         exchange,
         file->size(),
         std::string(type.type),
-        etag,
+        file->etag(),
         [file, piece](std::size_t offset, std::size_t length) {
             piece->resize(length);
             return std::string_view(piece->data(), file->read(offset, *piece));

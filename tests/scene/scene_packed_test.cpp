@@ -179,7 +179,7 @@ TEST(PackedScene, damaged_bytes_are_refused_or_change_a_digest) {
     std::memcpy(&json_size, whole.data() + 12, 4);
     const std::size_t first = 28 + json_size, pictures = whole.find("\x89PNG", first);
     ASSERT_NE(pictures, std::string::npos) << "arrays stand before the pictures";
-    const std::string path = scratch_folder("packed_damaged") + "/scene.glb";
+    const std::string path = scratch_folder("packed_damaged/broken") + "/scene.glb";
     std::mt19937 random(1);
     std::size_t noticed = 0;
     for (int round = 0; round < 60; ++round) {

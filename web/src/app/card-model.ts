@@ -43,6 +43,7 @@ export function cardModel(
         senses: slotsOf(doc, entry.key).map((slot) => ICONS[slot]),
         alarm: alarmOf(shown, entry.value),
         utilisation: utilisation(entry.value, shown),
+        bound: entry.bound,
       },
     ];
   });

@@ -11,6 +11,7 @@ import {
   type ValueState,
   valueAt,
 } from "../probe";
+import { boundOf } from "../scene";
 import { utilisation } from "./limits";
 import type { ModelView, Shown } from "./model-view";
 import type { Person } from "./person";
@@ -34,6 +35,8 @@ export interface ProbeResult {
   /** The file's value at nodeId. */
   readonly nodeValue: number | null;
   readonly state: ValueState;
+  /** The values differ from the solver's by at most this: a compressed scene says so. 0: not at all. */
+  readonly bound: number;
   /** Part of the limit that the value uses, 1 at the limit; null without one. */
   readonly utilisation: number | null;
 }
@@ -145,6 +148,7 @@ export function reportAt(
           component: shown.component,
           unit: shown.unit,
           ...read,
+          bound: shown.result ? boundOf(shown.result) : 0,
           utilisation: utilisation(read.value, shown),
         };
       }),

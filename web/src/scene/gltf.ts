@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The few parts of glTF 2.0 that a scene uses, read with every length checked against the bytes at hand.
 import type { OwnBytes } from "./own-bytes";
+import { packedOf, storedOf } from "./packed-view";
 import { SceneError } from "./scene-types";
+import { type Unpack, unpackAside } from "./unpack-aside";
 
 export interface GltfAccessor {
   bufferView?: number;
@@ -11,8 +13,14 @@ export interface GltfAccessor {
   count: number;
   type: string;
   name?: string;
+  extras?: { feelem?: Partial<Steps> };
 }
-interface GltfBufferView {
+/** The numbers of an accessor are steps: value = offset + step * number, the number's bits read as signed. */
+interface Steps {
+  offset: number;
+  step: number;
+}
+export interface GltfBufferView {
   buffer: number;
   byteOffset?: number;
   byteLength: number;
@@ -121,6 +129,13 @@ function readOne(view: DataView, at: number, type: number, normalized: boolean):
   }
 }
 
+function onSteps(buffer: ArrayBufferLike, at: number, length: number, { offset, step }: Steps): Float32Array {
+  const numbers = new Int32Array(buffer, at, length);
+  const values = new Float32Array(length);
+  for (let i = 0; i < length; ++i) values[i] = offset + step * (numbers[i] ?? 0);
+  return values;
+}
+
 export interface Numbers {
   readonly components: number;
   readonly count: number;
@@ -136,7 +151,10 @@ export class AccessorReader {
   readonly #kept = new WeakSet<ArrayBufferLike>();
   readonly #coming = new Map<number, Promise<Uint8Array>>();
 
-  constructor(json: GltfJson, own: OwnBytes, fetchSide: FetchSide) {
+  readonly #unpack: Unpack;
+
+  constructor(json: GltfJson, own: OwnBytes, fetchSide: FetchSide, unpack: Unpack = unpackAside()) {
+    this.#unpack = unpack;
     this.#json = json;
     this.#own = own;
     this.#fetchSide = fetchSide;
@@ -184,6 +202,9 @@ export class AccessorReader {
       const data = wide
         ? new Float32Array(buffer.buffer, at, length)
         : new Uint32Array(buffer.buffer, at, length);
+      const steps = accessor.extras?.feelem;
+      if (!wide && steps?.step !== undefined && steps.offset !== undefined)
+        return { components, count, data: onSteps(data.buffer, at, length, steps as Steps) };
       return { components, count, data };
     }
     const data = wide ? new Float32Array(length) : new Uint32Array(length);
@@ -198,16 +219,20 @@ export class AccessorReader {
   }
 
   async #viewBytes(index: number, view: GltfBufferView): Promise<Uint8Array> {
-    const buffer = this.#json.buffers?.[view.buffer];
-    if (!buffer) throw new SceneError(`the scene has no buffer ${view.buffer}`);
-    if (buffer.uri === undefined) {
-      const own = await this.#own.view(index);
-      this.#kept.add(own.buffer);
-      return own;
-    }
-    const bytes = await this.#side(view.buffer, buffer.uri);
-    const start = view.byteOffset ?? 0;
-    return bytes.subarray(start, start + view.byteLength);
+    const packed = packedOf(view);
+    if (packed) return this.#unpack(await this.#storedBytes(index, view), packed);
+    const bytes = await this.#storedBytes(index, view);
+    if (this.#json.buffers?.[view.buffer]?.uri === undefined) this.#kept.add(bytes.buffer);
+    return bytes;
+  }
+
+  async #storedBytes(index: number, view: GltfBufferView): Promise<Uint8Array> {
+    const stored = storedOf(view);
+    const buffer = this.#json.buffers?.[stored.buffer];
+    if (!buffer) throw new SceneError(`the scene has no buffer ${stored.buffer}`);
+    if (buffer.uri === undefined) return this.#own.view(index);
+    const bytes = await this.#side(stored.buffer, buffer.uri);
+    return bytes.subarray(stored.start, stored.start + stored.length);
   }
 
   #side(index: number, uri: string): Promise<Uint8Array> {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The binary part of a scene, whole or as it comes: of a stream only what the page will read is kept.
 import { type Container, type GltfJson, parseJson, readHead } from "./gltf";
+import { storedOf } from "./packed-view";
 import { SceneError } from "./scene-types";
 
 const CUT_OFF = "the scene is cut off: the file ends before its data";
@@ -28,9 +29,9 @@ export class WholeBytes implements OwnBytes {
   async view(index: number): Promise<Uint8Array> {
     const view = this.#json.bufferViews?.[index];
     if (!this.#bin || !view) throw new SceneError("the scene's binary part is missing");
-    const start = view.byteOffset ?? 0;
-    if (!(start >= 0) || start + view.byteLength > this.#bin.byteLength) throw new SceneError(CUT_OFF);
-    return this.#bin.subarray(start, start + view.byteLength);
+    const { start, length } = storedOf(view);
+    if (!(start >= 0) || start + length > this.#bin.byteLength) throw new SceneError(CUT_OFF);
+    return this.#bin.subarray(start, start + length);
   }
 
   release(): void {}
@@ -136,10 +137,9 @@ export class ComingBytes implements OwnBytes {
     this.#json = json;
     const views = [...new Set(wanted)].flatMap((index) => {
       const view = json.bufferViews?.[index];
-      const start = view?.byteOffset ?? 0;
-      return view && start >= 0 && view.byteLength >= 0
-        ? [{ index, start, end: start + view.byteLength }]
-        : [];
+      if (!view) return [];
+      const { start, length } = storedOf(view);
+      return start >= 0 && length >= 0 ? [{ index, start, end: start + length }] : [];
     });
     views.sort((a, b) => a.start - b.start);
     for (const { index, start, end } of views) {
@@ -157,8 +157,9 @@ export class ComingBytes implements OwnBytes {
     const segment = this.#ofView.get(index);
     const view = this.#json.bufferViews?.[index];
     if (!segment || !view) throw new SceneError("the scene's binary part is missing");
-    const from = (view.byteOffset ?? 0) - segment.start;
-    return (await segment.bytes).subarray(from, from + view.byteLength);
+    const { start, length } = storedOf(view);
+    const from = start - segment.start;
+    return (await segment.bytes).subarray(from, from + length);
   }
 
   release(views: Iterable<number>): void {

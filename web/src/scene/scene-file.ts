@@ -10,8 +10,10 @@ import {
   parseContainer,
 } from "./gltf";
 import { type OwnBytes, readComing, WholeBytes } from "./own-bytes";
+import { storedOf } from "./packed-view";
 import { fieldLoader, type LoadField } from "./read-fields";
 import { type FeelemExtras, type NodeIds, type PartEdges, SceneError, type ScenePart } from "./scene-types";
+import type { Unpack } from "./unpack-aside";
 
 const ID_HIGH = 16_777_216;
 const LINES = 1;
@@ -184,7 +186,8 @@ function wantedViews(json: GltfJson, found: readonly Found[], extras: FeelemExtr
   const views = new Set<number>();
   const add = (accessor: number | undefined, to: Set<number>) => {
     const view = json.accessors?.[accessor ?? -1]?.bufferView;
-    if (view !== undefined && json.buffers?.[json.bufferViews?.[view]?.buffer ?? -1]?.uri === undefined)
+    const found = json.bufferViews?.[view ?? -1];
+    if (view !== undefined && found && json.buffers?.[storedOf(found).buffer]?.uri === undefined)
       to.add(view);
   };
   const byName = new Map<string, number>();
@@ -218,17 +221,14 @@ function begin(bytes: ArrayBuffer): Begun {
 export async function openScene(
   bytes: ArrayBuffer | ReadableStream<Uint8Array>,
   fetchSide: FetchSide,
+  unpack?: Unpack,
 ): Promise<SceneData> {
   const { json, start } = bytes instanceof ArrayBuffer ? begin(bytes) : await readComing(bytes);
-  const required = json.extensionsRequired ?? [];
-  if (required.includes("EXT_meshopt_compression")) {
-    throw new SceneError("this scene is compressed; convert it again without --compress to open it here");
-  }
   const extras = readExtras(json);
   const { matrix, found } = walk(json);
   const wanted = wantedViews(json, found, extras);
   const own = start(wanted.all);
-  const reader = new AccessorReader(json, own, fetchSide);
+  const reader = new AccessorReader(json, own, fetchSide, unpack);
   const opener = new Opener(json, reader);
   const parts: ScenePart[] = [];
   for (const item of found) {

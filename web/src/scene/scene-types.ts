@@ -39,6 +39,8 @@ export interface SceneResult {
   /** Of the components: "cylindrical:OX,OY,OZ,AX,AY,AZ"; null: the global one. */
   readonly system?: string | null;
   readonly derived?: boolean;
+  /** Of a compressed scene: its values differ from the solver's by at most this. Absent: bit for bit. */
+  readonly bound?: number;
   /** Of complex results: which part this is. */
   readonly complex?: false | "real" | "imaginary" | "amplitude" | "phase";
   readonly values: readonly ResultValues[];
@@ -110,6 +112,11 @@ export interface ScenePart {
 export const MISSING = 0;
 export const SOLVER = 1;
 export const INTERPOLATED = 2;
+
+/** What the values of a result may be off; of a difference, twice that of its result. */
+export function boundOf(result: SceneResult): number {
+  return result.minus ? 2 * (result.minus.result.bound ?? 0) : (result.bound ?? 0);
+}
 
 /** A result on one part at one step: NaN where missing. */
 export interface PartField {

@@ -27,7 +27,14 @@ export {
 export { found, matching, type PaletteEntry, paletteTemplate } from "./palette";
 export { type PartListActions, type PartRow, partListTemplate } from "./part-list";
 export { type PlaceChoice, placeMenuTemplate } from "./place-menu";
-export { type CardModel, type CardRow, cardSentence, cardTemplate, interiorText } from "./probe-card";
+export {
+  boundText,
+  type CardModel,
+  type CardRow,
+  cardSentence,
+  cardTemplate,
+  interiorText,
+} from "./probe-card";
 export { COLUMNS, resultTableTemplate, type TableModel } from "./result-table";
 export { labelPositions, positionOf, valueAtPosition } from "./scale-axis";
 export { beaconTemplate, pathTemplate, sweepTemplate } from "./scan-forms";

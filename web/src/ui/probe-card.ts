@@ -18,6 +18,8 @@ export interface CardRow {
   readonly alarm: string | null;
   /** Part of the limit that is used. */
   readonly utilisation: number | null;
+  /** What the values may be off; 0: nothing. */
+  readonly bound: number;
 }
 
 export interface CardModel {
@@ -29,12 +31,19 @@ export interface CardModel {
   readonly sounding: string | null;
 }
 
+/** Beside a value of a compressed scene: two digits, never fewer than it may be off. */
+export function boundText(bound: number): string {
+  const unit = 10 ** (Math.floor(Math.log10(bound)) - 1);
+  return `± ${numberText(Math.ceil(bound / unit - 1e-9) * unit, 2)}`;
+}
+
 function rowTemplate(row: CardRow): TemplateResult {
   const about = row.state === "interpolated" ? "~" : "";
   return html`<tr class=${row.alarm ? "alarm" : ""} data-key=${row.key}>
     <th scope="row">${row.senses.map((name) => icon(name))}<span>${row.label}</span></th>
     <td class=${row.value === null ? "none" : "value"}>${row.value === null ? "no value" : `${about}${numberText(row.value)}`}
-      <span class="unit">${row.value === null ? "" : unitText(row.unit)}</span></td>
+      <span class="unit">${row.value === null ? "" : unitText(row.unit)}</span>
+      ${row.value === null || !row.bound ? null : html`<span class="bound">${boundText(row.bound)}</span>`}</td>
     <td class="at-node">${row.nodeValue === null ? "–" : numberText(row.nodeValue)}</td>
   </tr>
   ${row.utilisation !== null && !row.alarm ? html`<tr class="used-text"><td colspan="3">${numberText(100 * row.utilisation, 3)} % of the limit</td></tr>` : null}
@@ -69,7 +78,7 @@ export function cardSentence(model: CardModel): string {
   const values = model.rows.map((row) =>
     row.value === null
       ? `${row.label}: no value`
-      : `${row.label} ${numberText(row.value)} ${unitText(row.unit)}`,
+      : `${row.label} ${numberText(row.value)} ${unitText(row.unit)}${row.bound ? ` within ${numberText(row.bound, 2)}` : ""}`,
   );
   const inside = model.report.interior ? "interior value, " : "";
   return `${inside}node ${model.report.nodeId ?? "none"}, element ${model.report.elementId ?? "none"}: ${values.join(", ")}`;

@@ -3,6 +3,7 @@
 import { type Palette, texelOf } from "../render";
 import {
   axisTexts,
+  boundText,
   type CardModel,
   type LegendModel,
   labelPositions,
@@ -107,6 +108,10 @@ export function paintVrCard(context: Drawing, model: CardModel): void {
     font(context, 35);
     context.fillStyle = C.soft;
     context.fillText(row.value === null ? "" : unitText(row.unit), 616, y, 130);
+    if (row.value !== null && row.bound) {
+      font(context, 22);
+      context.fillText(boundText(row.bound), 616, y + 26, 130);
+    }
     y += 62;
   }
   context.fillStyle = C.soft;

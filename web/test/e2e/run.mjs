@@ -18,6 +18,7 @@ import { legendTests } from "./legend.mjs";
 import { listeningTests } from "./listening.mjs";
 import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
+import { packedTests } from "./packed.mjs";
 import { programTests } from "./program.mjs";
 import { reviewTests } from "./review.mjs";
 import { serve } from "./server.mjs";
@@ -82,6 +83,7 @@ for (const { name, run, skip } of [
   ...vrPinchTests,
   ...vrTouchTests,
   ...touchTests,
+  ...packedTests,
   ...programTests,
   ...insideTests,
   ...variantTests,

@@ -23,7 +23,7 @@ export async function serve(files = new Map()) {
       response.writeHead(200, {
         "Content-Type": TYPES[extname(path)] ?? "application/octet-stream",
         "Content-Security-Policy":
-          "default-src 'self'; img-src 'self' data: blob:; connect-src 'self' data: blob:; worker-src 'self' blob:",
+          "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data: blob:; connect-src 'self' data: blob:; worker-src 'self' blob:",
       });
       if (!bytes.free) return response.end(Buffer.from(bytes));
       response.write(Buffer.from(bytes.whole).subarray(0, bytes.hold));
