@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times the skin of a mesh made in memory. `facets`: which facets are outer. `skin`: the whole stage, as
-// convert runs it, with one result carried: triangles, creases, normals, edges. JSON on stdout;
-// peers/vtk_skin.cpp says the same of VTK.
+// Times the skin of a mesh made in memory. `search`: which facets are outer. `compact`: the search, then
+// points and triangles as VTK's filter gives them (compact_skin.hpp). `stage`: the whole stage, as convert
+// runs it, with one result carried: triangles round centres, creases, normals, edges. JSON on stdout, a line
+// each; peers/vtk_skin.cpp says the same of VTK.
 #include "feelem/skin.hpp"
 
 #include "base/parallel.hpp"
+#include "compact_skin.hpp"
 #include "skin/facet_cancellation.hpp"
 #include "skin_mesh.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,60 +71,97 @@ double sum_of_nodes(
 
 }  // namespace
 
+namespace {
+
+/// Processor and wall time, and the most memory beyond what was held before.
+struct Used {
+    double cpu = 0, wall = 0;
+    std::size_t extra = 0;
+};
+
+template <class Work>
+Used timed(Work work) {
+    Used used;
+    const std::size_t before = bench::resident_bytes();
+    bench::forget_peak();
+    const double cpu = bench::cpu_seconds();
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    used.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    used.cpu = bench::cpu_seconds() - cpu;
+    used.extra = bench::peak_bytes() - std::min(before, bench::peak_bytes());
+    return used;
+}
+
+/// What is told of the answer, after the clock has stopped.
+Found run(const std::string& stage, const feelem::Mesh& mesh, const feelem::Result& result, Used& used) {
+    Found found;
+    if (stage == "search") {
+        feelem::OuterFacets outer;
+        used = timed([&] { outer = feelem::find_outer_facets(mesh, {}); });
+        found.facets = sum_of(mesh, outer);
+    } else if (stage == "compact") {
+        bench::CompactSkin skin;
+        used = timed([&] {
+            skin = bench::compact(mesh, feelem::find_outer_facets(mesh, {}).outer, result.values);
+        });
+        bench::measure(skin, found.area, found.volume);
+        for (const float value : skin.values) found.value_sum += static_cast<double>(value);
+        found.triangles = skin.triangles.size();
+    } else {
+        feelem::Diagnostics diagnostics;
+        feelem::Surface surface;
+        feelem::SurfaceField field;
+        used = timed([&] {
+            surface = feelem::make_skin(mesh, {}, diagnostics);
+            field = feelem::carry(mesh, surface, result);
+        });
+        found.facets.count = surface.report.solid_facets_kept;
+        found.area = surface.report.area;
+        found.volume = surface.report.volume;
+        found.triangles = surface.report.triangles;
+        found.value_sum = sum_of_nodes(mesh, surface, field);
+    }
+    return found;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     if (argc != 6) {
-        std::fputs("usage: bench_skin facets|skin KIND CELLS NUMBERING THREADS\n", stderr);
+        std::fputs("usage: bench_skin STAGE,STAGE... KIND CELLS NUMBERING THREADS\n", stderr);
         return 2;
     }
     try {
-        const std::string stage = argv[1];
+        // Every stage starts with memory it has not touched, as the first one does.
+        mallopt(M_MMAP_THRESHOLD, 128 * 1024);
         const feelem::Mesh mesh = bench::make_mesh(argv[2], std::stoul(argv[3]), argv[4]);
         const feelem::Result result = one_result(mesh);
         feelem::set_thread_count(static_cast<unsigned>(std::stoul(argv[5])));
-        feelem::Diagnostics diagnostics;
-        const std::size_t before = bench::resident_bytes();
-        bench::forget_peak();
-        const double cpu = bench::cpu_seconds();
-        const auto start = std::chrono::steady_clock::now();
-        feelem::OuterFacets outer;
-        feelem::Surface surface;
-        feelem::SurfaceField field;
-        if (stage == "facets") {
-            outer = feelem::find_outer_facets(mesh, {});
-        } else {
-            surface = feelem::make_skin(mesh, {}, diagnostics);
-            field = feelem::carry(mesh, surface, result);
+        std::istringstream stages(argv[1]);
+        for (std::string stage; std::getline(stages, stage, ',');) {
+            malloc_trim(0);
+            Used used;
+            const Found found = run(stage, mesh, result, used);
+            fmt::print(
+                "{{\"stage\": \"{}\", \"cells\": {}, \"nodes\": {}, \"cpu\": {:.6f}, \"wall\": {:.6f}, "
+                "\"extra_bytes\": {}, \"facets\": {}, \"facet_sum\": {}, \"triangles\": {}, \"area\": "
+                "{:.9g}, "
+                "\"volume\": {:.9g}, \"value_sum\": {:.9g}}}\n",
+                stage,
+                mesh.element_count(),
+                mesh.node_count(),
+                used.cpu,
+                used.wall,
+                used.extra,
+                found.facets.count,
+                found.facets.sum,
+                found.triangles,
+                found.area,
+                found.volume,
+                found.value_sum
+            );
         }
-        const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const double used = bench::cpu_seconds() - cpu;
-        const std::size_t extra = bench::peak_bytes() - std::min(before, bench::peak_bytes());
-        Found found;
-        if (stage == "facets") {
-            found.facets = sum_of(mesh, outer);
-        } else {
-            found.facets.count = surface.report.solid_facets_kept;
-            found.area = surface.report.area;
-            found.volume = surface.report.volume;
-            found.triangles = surface.report.triangles;
-            found.value_sum = sum_of_nodes(mesh, surface, field);
-        }
-        fmt::print(
-            "{{\"cells\": {}, \"nodes\": {}, \"cpu\": {:.6f}, \"wall\": {:.6f}, \"extra_bytes\": {}, "
-            "\"facets\": {}, "
-            "\"facet_sum\": {}, \"triangles\": {}, \"area\": {:.9g}, \"volume\": {:.9g}, \"value_sum\": "
-            "{:.9g}}}\n",
-            mesh.element_count(),
-            mesh.node_count(),
-            used,
-            wall,
-            extra,
-            found.facets.count,
-            found.facets.sum,
-            found.triangles,
-            found.area,
-            found.volume,
-            found.value_sum
-        );
     } catch (const std::exception& error) {
         fmt::print(stderr, "bench_skin: {}\n", error.what());
         return 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skin/draw_facets.hpp"
 
+#include "base/huge_pages.hpp"
 #include "skin/edge_table.hpp"
 #include "skin/facet_grid.hpp"
 #include "skin/pattern.hpp"
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace feelem {
 namespace {
@@ -20,15 +22,11 @@ constexpr std::uint32_t kNoVertex = 0xFFFF'FFFF;
 class Drawer {
 public:
     Drawer(
-        const Mesh& mesh,
-        const FacetsToDraw& drawn,
-        const SmoothGroups& groups,
-        unsigned pieces,
-        Surface& surface
+        const Mesh& mesh, const FacetsToDraw& drawn, SmoothGroups&& groups, unsigned pieces, Surface& surface
     )
-        : mesh_(mesh), drawn_(drawn), groups_(groups), surface_(surface), is_fine_(pieces > 2),
-          vertex_of_group_(groups.normals.size(), kNoVertex),
-          vertex_of_point_(drawn.facets.size() * 8, kNoVertex) {
+        : mesh_(mesh), drawn_(drawn), groups_(std::move(groups)), surface_(surface), is_fine_(pieces > 2) {
+        reserve_big(vertex_of_group_, groups_.normals.size());
+        vertex_of_group_.resize(groups_.normals.size(), kNoVertex);
         if (!is_fine_) return;
         triangle_grid_ = grid_of(3, pieces);
         quad_grid_ = grid_of(4, pieces);
@@ -56,9 +54,7 @@ public:
     void draw_side(std::uint32_t side) {
         const Outline& outline = drawn_.facets[side / 4];
         const std::size_t i = side % 4;
-        const auto vertex = [&](std::size_t point) {
-            return VertexIndex{vertex_of_point_[std::size_t{side / 4} * 8 + point]};
-        };
+        const auto vertex = [&](std::size_t point) { return VertexIndex{drawn_point(side / 4, point)}; };
         if (outline.middles[i] == kNoNode) {
             surface_.edges.push_back({vertex(i), vertex(outline.after(i))});
             return;
@@ -75,13 +71,12 @@ private:
     /// With a vertex for each (element, node), groups are shared only among the facets of one element.
     void forget_other_elements(std::uint32_t facet) {
         if (facet == 0 || drawn_.elements[facet] == drawn_.elements[facet - 1]) return;
-        for (std::uint32_t f = first_of_element_; f < facet; ++f) {
-            for (std::size_t k = 0; k < 8; ++k) {
-                const std::uint32_t group = groups_.of_point[std::size_t{f} * 8 + k];
-                if (group != kNoSide) vertex_of_group_[group] = kNoVertex;
-            }
-        }
-        first_of_element_ = facet;
+        for (const std::uint32_t group : groups_of_element_) vertex_of_group_[group] = kNoVertex;
+        groups_of_element_.clear();
+    }
+
+    std::uint32_t drawn_point(std::uint32_t facet, std::size_t point) const {
+        return groups_.of_point[std::size_t{facet} * groups_.stride + point];
     }
 
     std::uint32_t add_vertex(
@@ -97,12 +92,14 @@ private:
     }
 
     std::uint32_t shared_vertex(std::uint32_t facet, std::size_t point, NodeIndex node, const Point3& at) {
-        const std::size_t number = std::size_t{facet} * 8 + point;
-        const std::uint32_t group = groups_.of_point[number];
+        std::uint32_t& group_or_vertex = groups_.of_point[std::size_t{facet} * groups_.stride + point];
+        const std::uint32_t group = group_or_vertex;
         std::uint32_t& vertex = vertex_of_group_[group];
-        if (vertex == kNoVertex)
+        if (vertex == kNoVertex) {
             vertex = add_vertex(at, groups_.normals[group], node, drawn_.elements[facet]);
-        vertex_of_point_[number] = vertex;
+            if (surface_.domain == Domain::ElementNode) groups_of_element_.push_back(group);
+        }
+        group_or_vertex = vertex;
         return vertex;
     }
 
@@ -177,8 +174,7 @@ private:
         const FacetGrid& points = grid(drawn_.facets[facet]);
         const auto vertex = [&](std::uint32_t i) {
             const std::uint8_t point = points.points[i].point;
-            if (point != FacetGrid::kNoPoint)
-                return VertexIndex{vertex_of_point_[std::size_t{facet} * 8 + point]};
+            if (point != FacetGrid::kNoPoint) return VertexIndex{drawn_point(facet, point)};
             return VertexIndex{first_between_[facet] + points.rank[i]};
         };
         const std::vector<std::uint32_t>& along = points.sides[side % 4];
@@ -204,15 +200,14 @@ private:
 
     const Mesh& mesh_;
     const FacetsToDraw& drawn_;
-    const SmoothGroups& groups_;
+    SmoothGroups groups_;  ///< Of drawn points, the vertex takes the group's place.
     Surface& surface_;
     bool is_fine_;
     std::vector<std::uint32_t> vertex_of_group_;
-    std::vector<std::uint32_t> vertex_of_point_;
+    std::vector<std::uint32_t> groups_of_element_;  ///< Domain::ElementNode: that have a vertex now.
     FacetGrid triangle_grid_, quad_grid_;
     std::vector<std::uint32_t> first_between_;  ///< Per facet: its first vertex between points.
     std::vector<std::uint32_t> scratch_;
-    std::uint32_t first_of_element_ = 0;
 };
 
 /// Per side: whether it draws its edge, which is so for the first one in each piece.
@@ -313,16 +308,16 @@ void reserve(
         triangles += pattern_of(facet).size();
     }
     const std::size_t vertices = groups.normals.size() + quads;
-    surface.positions.reserve(vertices);
-    surface.normals.reserve(vertices);
-    surface.vertex_node.reserve(vertices);
-    if (surface.domain == Domain::ElementNode) surface.vertex_element.reserve(vertices);
-    surface.triangles.reserve(triangles);
-    surface.triangle_element.reserve(triangles);
-    surface.edges.reserve(edges.first.size());
-    surface.blends.reserve(quads);
-    surface.blend_sources.reserve(quads * 4);
-    surface.blend_weights.reserve(quads * 4);
+    reserve_big(surface.positions, vertices);
+    reserve_big(surface.normals, vertices);
+    reserve_big(surface.vertex_node, vertices);
+    if (surface.domain == Domain::ElementNode) reserve_big(surface.vertex_element, vertices);
+    reserve_big(surface.triangles, triangles);
+    reserve_big(surface.triangle_element, triangles);
+    reserve_big(surface.edges, edges.first.size());
+    reserve_big(surface.blends, quads);
+    reserve_big(surface.blend_sources, quads * 4);
+    reserve_big(surface.blend_weights, quads * 4);
 }
 
 }  // namespace
@@ -330,11 +325,11 @@ void reserve(
 void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, const DrawOptions& options, Surface& surface) {
     if (drawn.facets.size() >= kNoVertex / 8) throw Error(Code::TooLarge, "", "more than 536 870 911 facets");
     const EdgeTable edges = find_edges(drawn.facets);
-    const SmoothGroups groups =
+    SmoothGroups groups =
         find_smooth_groups(drawn.facets, drawn.piece_first, edges, mesh.coordinates, options.crease_angle);
     const std::vector<bool> draws = drawing_sides(drawn, edges);
     reserve(drawn, groups, edges, surface);
-    Drawer drawer(mesh, drawn, groups, options.pieces, surface);
+    Drawer drawer(mesh, drawn, std::move(groups), options.pieces, surface);
     const auto size = [](const auto& values) { return static_cast<std::uint32_t>(values.size()); };
     for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {
         SurfacePart part;

@@ -4,6 +4,7 @@
 // (node_buckets.hpp). Data: 12 bytes a side.
 #include "skin/edge_table.hpp"
 
+#include "base/huge_pages.hpp"
 #include "skin/facet_hash.hpp"
 #include "skin/node_buckets.hpp"
 
@@ -55,14 +56,15 @@ NodeRanks rank_lower_ends(std::span<const Outline> facets) {
 
 EdgeTable find_edges(std::span<const Outline> facets) {
     EdgeTable out;
+    reserve_big(out.next, facets.size() * 4);
     out.next.assign(facets.size() * 4, kNoSide);
     const NodeRanks ranks = rank_lower_ends(facets);
     NodeBuckets<EdgeSlot> buckets(ranks.count());
     for_each_side(facets, [&](std::uint32_t, const Side& side) { buckets.count(ranks(side.low)); });
     buckets.seal();
-    out.first.reserve(facets.size() * 2);
+    reserve_big(out.first, facets.size() * 2);
     std::vector<std::uint32_t> last;  // per edge
-    last.reserve(facets.size() * 2);
+    reserve_big(last, facets.size() * 2);
     for_each_side(facets, [&](std::uint32_t number, const Side& side) {
         EdgeSlot& slot = buckets.slot(ranks(side.low), hash_of(side), [&](const EdgeSlot& there) {
             return there.high == side.high && there.middle == side.middle;

@@ -4,8 +4,11 @@
 // seal(), then slot() as often as it was counted.
 #pragma once
 
+#include "base/huge_pages.hpp"
+
 #include "feelem/ids.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -49,6 +52,17 @@ public:
         return before_[raw(node) / 64] + ones(below);
     }
 
+    /// Calls visit with each marked node, ascending.
+    template <class Visit>
+    void for_each(Visit visit) const {
+        for (std::size_t i = 0; i < bits_.size(); ++i) {
+            for (std::uint64_t rest = bits_[i]; rest != 0; rest &= rest - 1)
+                visit(
+                    static_cast<std::uint32_t>(i * 64) + static_cast<std::uint32_t>(std::countr_zero(rest))
+                );
+        }
+    }
+
 private:
     std::vector<std::uint64_t> bits_;
     std::vector<std::uint32_t> before_;
@@ -61,12 +75,12 @@ private:
 template <class Slot>
 class NodeBuckets {
 public:
-    explicit NodeBuckets(std::size_t nodes) : first_(nodes + 1) {}
+    explicit NodeBuckets(std::size_t nodes) : first_(big_zeros<std::uint32_t>(nodes + 1)) {}
 
     void count(std::uint32_t node) { ++first_[node + 1]; }
     void seal() {
         for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-        slots_.resize(first_.back());
+        slots_ = big_zeros<Slot>(first_.back());
     }
     /// The slot for which is_same says so, else a free one. `hash`: 32 good bits.
     template <class IsSame>

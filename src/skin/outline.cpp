@@ -27,16 +27,18 @@ NodeIndex middle_between(const Outline& outline, NodeIndex a, NodeIndex b) noexc
 }  // namespace
 
 Outline outline_of(const FacetRow& row, std::span<const NodeIndex> element_nodes) noexcept {
-    const ElementRow& shape = element_row(row.type);
+    const bool is_triangle = row.type == ElementType::Tri3 || row.type == ElementType::Tri6;
+    const bool is_quadratic = row.type != ElementType::Tri3 && row.type != ElementType::Quad4;
+    const std::size_t corners = is_triangle ? 3 : 4;
     Outline out;
-    for (std::size_t i = 0; i < shape.corner_count; ++i) {
+    for (std::size_t i = 0; i < corners; ++i) {
         const NodeIndex here = element_nodes[row.nodes[i]];
-        const NodeIndex next = element_nodes[row.nodes[i + 1 == shape.corner_count ? 0 : i + 1]];
+        const NodeIndex next = element_nodes[row.nodes[i + 1 == corners ? 0 : i + 1]];
         // Of corners that repeat in sequence the last stays: the side after it is the one that has a length.
         if (here == next) continue;
         out.corners[out.count] = here;
-        if (shape.order == 2) {
-            const NodeIndex middle = element_nodes[row.nodes[shape.corner_count + i]];
+        if (is_quadratic) {
+            const NodeIndex middle = element_nodes[row.nodes[corners + i]];
             if (middle != here && middle != next) out.middles[out.count] = middle;
         }
         ++out.count;

@@ -2,6 +2,7 @@
 // The stage: which facets are kept, and what they look like.
 #include "feelem/skin.hpp"
 
+#include "base/huge_pages.hpp"
 #include "skin/draw_facets.hpp"
 #include "skin/element_checks.hpp"
 #include "skin/facet_cancellation.hpp"
@@ -124,13 +125,13 @@ FacetsToDraw in_pieces(
     };
     for_each([&](FacetRef ref) { ++counts[piece_of(ref) + 1]; });
     for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
-    std::vector<FacetRef> sorted(solids.size() + shells.size());
+    auto sorted = big_zeros<FacetRef>(solids.size() + shells.size());
     std::vector<std::uint32_t> next(counts.begin(), counts.end() - 1);
     for_each([&](FacetRef ref) { sorted[next[piece_of(ref)]++] = ref; });
 
     FacetsToDraw drawn;
-    drawn.facets.reserve(sorted.size());
-    drawn.elements.reserve(sorted.size());
+    reserve_big(drawn.facets, sorted.size());
+    reserve_big(drawn.elements, sorted.size());
     std::uint64_t without_place = 0;
     for (std::size_t piece = 0; piece + 1 < counts.size(); ++piece) {
         const auto first = static_cast<std::uint32_t>(drawn.facets.size());

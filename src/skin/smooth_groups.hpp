@@ -13,8 +13,9 @@
 
 namespace feelem {
 
-/// Corner k (0..3) or middle k - 4 of facet f has the number 8 f + k.
+/// Corner k (0..3) or middle k - 4 of facet f has the number stride * f + k.
 struct SmoothGroups {
+    std::uint32_t stride = 8;  ///< 4 where no facet has middles.
     std::vector<std::uint32_t>
         of_point;  ///< Group of each corner and middle; kNoSide where there is no point.
     std::vector<std::array<float, 3>> normals;  ///< Per group: angle-weighted, unit; 0 where it has no area.
@@ -31,6 +32,8 @@ SmoothGroups find_smooth_groups(
     double crease_angle
 );
 
+/// From 0 to pi.
+double angle_between(const Point3& a, const Point3& b) noexcept;
 std::array<float, 3> unit(const Point3& vector) noexcept;
 
 }  // namespace feelem
