@@ -31,6 +31,7 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -94,19 +95,20 @@ void convert(const char* from, const char* to) {
 
 /// Of a quad the four triangles round its centre, as scenes are cut.
 double quad_area(vtkPolyData* skin, vtkIdList* corners) {
-    const vtkIdType count = corners->GetNumberOfIds();
-    std::array<double, 3> centre{};
-    std::array<std::array<double, 3>, 8> at{};
-    for (vtkIdType i = 0; i < count; ++i) {
-        skin->GetPoint(corners->GetId(i), at[i].data());
-        for (int axis = 0; axis < 3; ++axis) centre[axis] += at[i][axis] / static_cast<double>(count);
+    using Place = std::array<double, 3>;
+    std::vector<Place> at(static_cast<std::size_t>(corners->GetNumberOfIds()));
+    Place centre{};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        skin->GetPoint(corners->GetId(static_cast<vtkIdType>(i)), at[i].data());
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            centre[axis] += at[i][axis] / static_cast<double>(at.size());
     }
     double area = 0;
-    for (vtkIdType i = 0; i < count; ++i) {
-        const auto& p = at[i];
-        const auto& q = at[(i + 1) % count];
-        const std::array<double, 3> a{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
-        const std::array<double, 3> b{q[0] - centre[0], q[1] - centre[1], q[2] - centre[2]};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const Place& p = at[i];
+        const Place& q = at[(i + 1) % at.size()];
+        const Place a{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
+        const Place b{q[0] - centre[0], q[1] - centre[1], q[2] - centre[2]};
         area +=
             0.5 * std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
     }
