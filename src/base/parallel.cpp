@@ -25,6 +25,14 @@ unsigned thread_count() {
     );
 }
 
+struct OneThreadFewer::Limit {
+    tbb::global_control control{
+        tbb::global_control::max_allowed_parallelism, std::max<std::size_t>(thread_count(), 2) - 1};
+};
+
+OneThreadFewer::OneThreadFewer() : limit_(std::make_unique<Limit>()) {}
+OneThreadFewer::~OneThreadFewer() = default;
+
 void parallel_chunks(
     std::size_t count, std::size_t chunk, const std::function<void(std::size_t first, std::size_t last)>& body
 ) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 
 namespace feelem {
 
@@ -14,6 +15,19 @@ inline constexpr std::size_t kParallelChunk = 1U << 14U;
 void set_thread_count(unsigned count);
 /// How many threads parallel_chunks may use now.
 unsigned thread_count();
+
+/// While it lives, one thread fewer: for work that has a thread of its own.
+class OneThreadFewer {
+public:
+    OneThreadFewer();
+    ~OneThreadFewer();
+    OneThreadFewer(const OneThreadFewer&) = delete;
+    OneThreadFewer& operator=(const OneThreadFewer&) = delete;
+
+private:
+    struct Limit;
+    std::unique_ptr<Limit> limit_;
+};
 
 /// Calls body(first, last) for the chunks of [0, count), each `chunk` long but the last, in any order and at
 /// once. An exception from body is rethrown here.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/early_digests.hpp"
 
+#include "base/parallel.hpp"
 #include "base/sha256.hpp"
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <utility>
 
 namespace feelem {
@@ -12,7 +14,13 @@ namespace feelem {
 EarlyDigests::EarlyDigests(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
     std::vector<std::promise<std::string>> promises(inputs_.size());
     for (auto& promise : promises) digests_.push_back(promise.get_future());
-    thread_ = std::thread([this, promises = std::move(promises)]() mutable { run(std::move(promises)); });
+    // Else three threads would share two cores, and chunks that are taken in order wait for the one that
+    // rests.
+    auto fewer = std::make_unique<OneThreadFewer>();
+    thread_ = std::thread([this, promises = std::move(promises), fewer = std::move(fewer)]() mutable {
+        run(std::move(promises));
+        fewer.reset();
+    });
 }
 
 EarlyDigests::~EarlyDigests() {

@@ -33,6 +33,19 @@ TEST(OrderedChunks, are_taken_in_order_with_a_slot_of_their_own_by_any_number_of
     set_thread_count(0);
 }
 
+TEST(OneThreadFewer, leaves_at_least_one) {
+    set_thread_count(2);
+    {
+        const OneThreadFewer fewer;
+        EXPECT_EQ(thread_count(), 1u);
+        EXPECT_EQ(ordered_slots(), 1u);
+        const OneThreadFewer still;
+        EXPECT_EQ(thread_count(), 1u);
+    }
+    EXPECT_EQ(thread_count(), 2u);
+    set_thread_count(0);
+}
+
 TEST(OrderedChunks, end_with_what_a_chunk_throws) {
     set_thread_count(3);
     std::size_t taken = 0;
