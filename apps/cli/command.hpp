@@ -33,7 +33,7 @@ struct Options {
 };
 
 /// Groups of options that a command takes.
-enum class Takes : std::uint8_t {
+enum class Takes : std::uint16_t {
     Nothing = 0,
     Inputs = 1,
     Output = 2,
@@ -43,6 +43,7 @@ enum class Takes : std::uint8_t {
     Place = 16,
     Serving = 32,
     Brief = 128,
+    Levels = 256,
 };
 constexpr Takes operator|(Takes a, Takes b) {
     return static_cast<Takes>(static_cast<unsigned>(a) | static_cast<unsigned>(b));

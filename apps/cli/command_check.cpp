@@ -18,6 +18,7 @@ namespace feelem::cli {
 int run_check(const Options& options) {
     const std::string& scene = options.job.inputs.front();
     std::vector<Claim> claims = check_scene(scene);
+    for (Claim& claim : check_levels(scene)) claims.push_back(std::move(claim));
     const std::size_t own = claims.size();
     if (options.job.inputs.size() > 1) {
         Job job = options.job;

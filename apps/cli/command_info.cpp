@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `feelem info`: what is in the files, as tables for people or as version 1 of the JSON form.
 #include "command.hpp"
+#include "scene_info.hpp"
+#include "scene_input.hpp"
 #include "terminal.hpp"
 
 #include <fmt/format.h>
@@ -240,6 +242,10 @@ void print_results(const ModelReport& report) {
 }  // namespace
 
 int run_info(const Options& options) {
+    if (options.job.inputs.size() == 1 && is_scene(options.job.inputs.front())) {
+        print_scene_info(options.job.inputs.front(), options.json);
+        return 0;
+    }
     Terminal terminal(options.verbose);
     ToldDiagnostics diagnostics(terminal);
     const auto report = report_model(options.job, *diagnostics, terminal.progress());

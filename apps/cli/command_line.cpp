@@ -143,6 +143,14 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
     }
     if (has(takes, Takes::Reading)) add_reading_options(app, options.job);
     if (has(takes, Takes::Model)) add_model_options(app, options.job, texts);
+    if (has(takes, Takes::Levels))
+        app.add_option(
+               "--lod",
+               options.job.levels,
+               "auto | off | TRIANGLES | BOUND: levels of detail, as 200000 or 0.5% (auto: above 500,000 "
+               "triangles)"
+        )
+            ->option_text(" ");
     if (has(takes, Takes::Brief))
         app.add_flag("--brief", options.job.brief, "Steps and names alone: reads no values, makes no skin");
     if (has(takes, Takes::Json)) app.add_flag("--json", options.json, "Machine-readable, stable");

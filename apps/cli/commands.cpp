@@ -12,19 +12,19 @@ constexpr std::array kCommands{
         "convert",
         "Convert results to a scene or to another format",
         "INPUT... -o OUT",
-        Takes::Inputs | Takes::Reading | Takes::Output | Takes::Model,
+        Takes::Inputs | Takes::Reading | Takes::Output | Takes::Model | Takes::Levels,
         run_convert},
     Command{
         "info",
         "Say what is in the files: mesh, parts, steps, results with ranges, skin",
-        "INPUT... [--brief] [--json]",
+        "INPUT... | SCENE [--brief] [--json]",
         Takes::Inputs | Takes::Reading | Takes::Model | Takes::Brief | Takes::Json,
         run_info},
     Command{
         "view",
         "Show results or a scene in the browser",
         "INPUT... | SCENE [--port N] [--lan] [--no-open]",
-        Takes::Inputs | Takes::Reading | Takes::Model | Takes::Serving,
+        Takes::Inputs | Takes::Reading | Takes::Model | Takes::Levels | Takes::Serving,
         run_view},
     Command{
         "probe",

@@ -41,6 +41,7 @@ struct Job {
     std::vector<std::string> result_systems;
     bool brief = false;     ///< report_model() reads no values and makes no skin: quick for many steps.
     std::string envelopes;  ///< "", "max", "min", "absmax", or several with commas: over the chosen steps.
+    std::string levels = "auto";  ///< Of detail: "auto", "off", "200000" triangles, "0.5%" of the ranges.
     char up = 'z';
     std::string presentation_file;
     std::string title;
@@ -58,6 +59,10 @@ std::unique_ptr<ModelSource> open_job(const Job& job, Diagnostics& diagnostics, 
 /// Writes job.output in the format of its suffix. Throws Error. False when cancelled: then nothing was
 /// written.
 bool convert(const Job& job, Diagnostics& diagnostics, const Progress& progress);
+
+/// Levels of detail of a scene against its full triangles and values, by the independent checker: every
+/// original vertex at every result and step. Nothing when it has no levels. Throws Error(BadScene).
+std::vector<Claim> check_levels(const std::string& scene_path);
 
 /// Smallest and largest value of one component over the whole model, with solver ids (the smallest on a tie).
 struct ComponentRange {

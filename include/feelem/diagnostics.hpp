@@ -63,6 +63,7 @@ enum class Code : std::uint16_t {
     SourcesDisagree,
     ValuesDisagree,
     InputLeftOut,
+    LevelOfDetail,
 };
 
 enum class Severity : std::uint8_t {

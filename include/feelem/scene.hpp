@@ -56,6 +56,25 @@ struct SceneResult {
     double bound = 0;
 };
 
+/// What holds for one result at one step while a level is drawn: no component is shown further off than
+/// `bound` (the whole vector, of vectors).
+struct SceneLevelValues {
+    std::size_t result = 0, values = 0;  ///< Into the scene's results, and their values.
+    double bound = 0;                    ///< In the result's unit.
+    double max = 0;                      ///< Found by the simplifier, with the middles of triangles.
+    double shown = 0;                    ///< Found by the independent checker at every original vertex.
+};
+
+/// A level of detail: fewer triangles over the same vertices, and what is promised while it is drawn.
+struct SceneLevel {
+    std::uint64_t triangles = 0;
+    double bound = 0;  ///< Largest of the values' bounds, fraction of the result's range.
+    double distance_bound = 0,
+           max_distance = 0;    ///< Model units, between original vertices and what is drawn, and back.
+    std::uint64_t samples = 0;  ///< Vertices and middles of triangles that were compared.
+    std::vector<SceneLevelValues> values;  ///< By result and step: every one of the scene.
+};
+
 /// Everything a scene is made of. Fields are asked for one at a time, so that memory holds one.
 struct SceneContents {
     std::string title;
@@ -68,6 +87,9 @@ struct SceneContents {
     std::vector<SceneResult> results;
     std::size_t shown_step = 0;  ///< Step whose results stand in the attributes.
     std::function<SurfaceField(std::size_t result, std::size_t values)> load;
+    std::vector<SceneLevel> levels;  ///< From fine to coarse, without the full one.
+    /// Per level: its triangles, in the order of the parts.
+    std::vector<std::vector<std::array<VertexIndex, 3>>> level_triangles;
     Presentation presentation;  ///< Ranges resolved: lo and hi set on every result it uses.
     std::map<std::string, std::string>
         notes;  ///< Facts for the certificate: "midside_interpolated" -> "5124", "skin" -> "exact".
@@ -88,6 +110,9 @@ void write_scene(
     const SceneOptions& options,
     Diagnostics& diagnostics
 );
+
+/// Vertices of the skin as a scene holds them: rounded to float32, origin subtracted.
+std::vector<Point3> scene_positions(const Surface& surface);
 
 /// A scene read back: what `probe` and `check` need.
 struct ScenePart {
@@ -118,6 +143,7 @@ struct Scene {
     std::vector<SceneResult> results;
     Presentation presentation;
     std::vector<SceneField> fields;            ///< Filled by load_scene.
+    std::vector<SceneLevel> levels;            ///< What they say; their triangles stay in the file.
     std::map<std::string, std::string> notes;  ///< Of the certificate: "skin" -> "exact".
     /// Numbers of the certificate's "model" and "skin": "skin.facets.in" -> 7608.
     std::map<std::string, double> certificate_numbers;

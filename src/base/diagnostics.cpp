@@ -199,6 +199,11 @@ constexpr std::array kTable{
         "input_left_out",
         Severity::Warning,
         "A file that was found in a folder cannot be read."},
+    CodeInfo{
+        Code::LevelOfDetail,
+        "level_of_detail",
+        Severity::Note,
+        "A reduced level was not made, or has more triangles than was asked for; the message says why."},
 };
 
 constexpr std::size_t kMostTextsOfACode = 200;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // read -> derive -> skin -> present -> write.
 #include "base/letter_case.hpp"
+#include "convert/make_levels.hpp"
 #include "convert/prepared_source.hpp"
 #include "convert/scene_plan.hpp"
 #include "convert/selection.hpp"
@@ -109,6 +110,7 @@ void run(Job job, Diagnostics& diagnostics, const Progress& progress) {
     check_output(job);
     const bool is_scene = kind == OutputKind::Glb || kind == OutputKind::Gltf;
     job.read.hash_early = is_scene;
+    parse_levels(job.levels);
     const std::unique_ptr<ModelSource> source = open_job(job, diagnostics, progress);
     if (!source) throw Cancelled{};
     const auto steps = select_steps(source->steps(), job.steps, default_steps_of(kind), diagnostics);

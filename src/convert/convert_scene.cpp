@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // derive -> skin -> present -> write, for scenes.
+#include "convert/make_levels.hpp"
 #include "convert/presenting.hpp"
 #include "convert/scene_values.hpp"
 #include "convert/skin_options.hpp"
@@ -101,6 +102,7 @@ void write_as_scene(Work& work) {
     if (store.interpolated() > 0) {
         contents.notes["midside_interpolated"] = std::to_string(store.interpolated());
     }
+    make_levels(work, surface, store, contents);
     contents.load = [&](std::size_t result, std::size_t values) {
         report_progress(work.progress, "write", fraction_of(done++, fields));
         return store.take_field(result, values);

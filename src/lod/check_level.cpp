@@ -182,6 +182,29 @@ private:
 
 using Corners = std::array<VertexIndex, 3>;
 
+/// The triangles of each vertex.
+class Incidence {
+public:
+    Incidence(std::span<const Corners> triangles, std::size_t vertices) : first_(vertices + 1, 0) {
+        for (const Corners& t : triangles) {
+            for (const VertexIndex v : t) ++first_[raw(v) + 1];
+        }
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+        triangles_.resize(triangles.size() * 3);
+        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+            for (const VertexIndex v : triangles[t]) triangles_[next[raw(v)]++] = t;
+        }
+    }
+    std::span<const std::uint32_t> of(std::uint32_t v) const {
+        return std::span(triangles_).subspan(first_[v], first_[v + 1] - first_[v]);
+    }
+
+private:
+    std::vector<std::size_t> first_;
+    std::vector<std::uint32_t> triangles_;
+};
+
 class LevelChecker {
 public:
     LevelChecker(
@@ -190,22 +213,17 @@ public:
         std::span<const Corners> level,
         double distance
     )
-        : surface_(surface), fields_(fields), level_(level), distance_(distance), tree_(places_of_level()) {
-        is_shown_.assign(surface.positions.size(), false);
+        : surface_(surface), fields_(fields), level_(level), distance_(distance), tree_(places_of_level()),
+          original_(surface.triangles, surface.positions.size()), own_(level, surface.positions.size()) {
+        missing_.assign(surface.positions.size(), 0);
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            for (std::size_t v = 0; v < missing_.size(); ++v) {
+                if (!std::isfinite(fields[k].values[v])) missing_[v] |= std::uint64_t{1} << (k % kFieldBits);
+            }
+        }
         for (const Corners& t : level) {
             level_normals_.push_back(normal_of(t));
             level_missing_.push_back(missing_in(t));
-            for (const VertexIndex v : t) is_shown_[raw(v)] = true;
-        }
-        first_.assign(surface.positions.size() + 1, 0);
-        for (const Corners& t : surface.triangles) {
-            for (const VertexIndex v : t) ++first_[raw(v) + 1];
-        }
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-        std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-        incident_.resize(surface.triangles.size() * 3);
-        for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-            for (const VertexIndex v : surface.triangles[t]) incident_[next[raw(v)]++] = t;
         }
     }
 
@@ -256,39 +274,45 @@ private:
         return out;
     }
     std::uint64_t missing_in(const Corners& t) const {
-        std::uint64_t bits = 0;
-        for (std::size_t k = 0; k < fields_.size(); ++k) {
-            for (const VertexIndex v : t) {
-                if (!std::isfinite(fields_[k].values[raw(v)])) bits |= std::uint64_t{1} << (k % kFieldBits);
-            }
-        }
-        return bits;
+        return missing_[raw(t[0])] | missing_[raw(t[1])] | missing_[raw(t[2])];
     }
     std::uint32_t part_of(VertexIndex v) const { return surface_.parts.empty() ? 0 : surface_.parts[raw(v)]; }
 
+    /// Triangles without area show nothing.
+    bool is_drawn(std::uint32_t v) const {
+        return std::ranges::any_of(original_.of(v), [&](std::uint32_t t) {
+            const Vec n = normal_of(surface_.triangles[t]);
+            return n * n > 0;
+        });
+    }
+
+    /// A vertex of the level is shown by its own triangles.
+    template <class Suits>
+    Found own_place(std::uint32_t v, const Suits& suits) const {
+        for (const std::uint32_t t : own_.of(v)) {
+            if (!suits(t)) continue;
+            Found found{t, 0, {}};
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (level_[t][k] == VertexIndex{v}) found.weights[k] = 1;
+            }
+            return found;
+        }
+        return {};
+    }
+
     void check(std::uint32_t v, LodCheck& out) const {
-        if (first_[v] == first_[v + 1]) return;
-        const std::size_t facing = first_[v + 1] - first_[v];
+        if (!is_drawn(v)) return;
         std::uint64_t missing = ~std::uint64_t{0};
-        for (std::size_t i = 0; i < facing; ++i)
-            missing &= missing_in(surface_.triangles[incident_[first_[v] + i]]);
-        // Where values jump, a vertex of the level is shown by its own triangles.
-        bool only_own = is_shown_[v];
+        for (const std::uint32_t t : original_.of(v)) missing &= missing_in(surface_.triangles[t]);
         const auto suits = [&](std::uint32_t t) {
             if (part_of(level_[t][0]) != part_of(VertexIndex{v})) return false;
-            if (only_own && std::ranges::find(level_[t], VertexIndex{v}) == level_[t].end()) return false;
-            for (std::size_t i = 0; i < facing; ++i) {
-                const Vec n = normal_of(surface_.triangles[incident_[first_[v] + i]]);
-                if (n * level_normals_[t] > kAgrees) return true;
-            }
-            return false;
+            return std::ranges::any_of(original_.of(v), [&](std::uint32_t facing) {
+                return normal_of(surface_.triangles[facing]) * level_normals_[t] > kAgrees;
+            });
         };
         const Vec p = place_of(VertexIndex{v});
-        Found found = tree_.nearest(p, suits);
-        if (found.triangle == kNowhere && only_own) {
-            only_own = false;
-            found = tree_.nearest(p, suits);
-        }
+        Found found = own_place(v, suits);
+        if (found.triangle == kNowhere) found = tree_.nearest(p, suits);
         ++out.vertices;
         if (found.triangle == kNowhere) {
             ++out.without_place;
@@ -336,11 +360,10 @@ private:
     std::span<const Corners> level_;
     double distance_;
     LevelTree tree_;
-    std::vector<bool> is_shown_;
+    std::vector<std::uint64_t> missing_;  ///< Per vertex: bit k = field k has no value.
     std::vector<Vec> level_normals_;
     std::vector<std::uint64_t> level_missing_;
-    std::vector<std::size_t> first_;
-    std::vector<std::uint32_t> incident_;
+    Incidence original_, own_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "scene/json_text.hpp"
 #include "scene/scene_extras.hpp"
 #include "scene/scene_fields.hpp"
+#include "scene/scene_levels.hpp"
 
 namespace feelem {
 namespace {
@@ -89,6 +90,7 @@ std::string certificate_text(const SceneBuild& build) {
     write_scene_counts(json, build);
     json.member("largestCoordinateRounding", build.largest_rounding);
     write_results(json, build);
+    write_level_claims(json, build);
     json.key("notes").begin_object();
     for (const auto& [name, text] : build.contents.notes) json.member(name, text);
     json.end_object().key("digests").begin_object();

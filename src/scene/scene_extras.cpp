@@ -3,6 +3,7 @@
 
 #include "scene/json_text.hpp"
 #include "scene/scene_fields.hpp"
+#include "scene/scene_levels.hpp"
 
 #include <fmt/format.h>
 
@@ -220,6 +221,7 @@ std::string extras_text(const SceneBuild& build) {
     json.key("results").begin_array();
     for (std::size_t i = 0; i < contents.results.size(); ++i) write_result(json, build, i);
     json.end_array();
+    write_levels(json, build);
     write_texcoords(json, build);
     write_deformation(json, build);
     json.key("hotspots").begin_array().end_array();

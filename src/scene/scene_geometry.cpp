@@ -49,6 +49,12 @@ double largest_rounding(std::span<const Point3> positions, const Point3& origin)
     return most;
 }
 
+/// What is subtracted: nothing, or the middle when float32 would lose too much.
+Point3 origin_for(std::span<const Point3> positions, const Box& box) {
+    if (largest_rounding(positions, {}) <= 1e-6 * box.diagonal()) return {};
+    return {std::round(box.centre(0)), std::round(box.centre(1)), std::round(box.centre(2))};
+}
+
 void choose_origin(SceneBuild& build, Diagnostics& diagnostics) {
     const std::vector<Point3>& positions = build.contents.surface->positions;
     build.box = box_of(positions);
@@ -58,7 +64,7 @@ void choose_origin(SceneBuild& build, Diagnostics& diagnostics) {
     }
     build.largest_rounding = largest_rounding(positions, build.origin);
     if (build.largest_rounding <= 1e-6 * diagonal) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) build.origin[axis] = std::round(build.box.centre(axis));
+    build.origin = origin_for(positions, build.box);
     const double before = std::exchange(build.largest_rounding, largest_rounding(positions, build.origin));
     diagnostics.add(
         Code::LargeRounding,
@@ -311,6 +317,16 @@ void write_tree(SceneBuild& build, const std::vector<gltf::Node>& beside) {
             add_child(static_cast<std::size_t>(place), {name, node.role, -1, mesh, {}, {}});
         }
     }
+}
+
+std::vector<Point3> scene_positions(const Surface& surface) {
+    const Point3 origin = origin_for(surface.positions, box_of(surface.positions));
+    std::vector<Point3> positions = surface.positions;
+    for (Point3& position : positions) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            position[axis] = static_cast<double>(static_cast<float>(position[axis] - origin[axis]));
+    }
+    return positions;
 }
 
 }  // namespace feelem

@@ -330,6 +330,45 @@ void read_results(const json& feelem, SceneDocument& out) {
     }
 }
 
+SceneLevelValues read_level_values(const json& entry, const SceneDocument& out) {
+    const auto& results = out.scene.results;
+    const auto found = std::ranges::find(results, text(entry, "result"), &SceneResult::id);
+    if (found == results.end()) bad(fmt::format("there is no result '{}'", text(entry, "result")));
+    const std::uint64_t step = count(entry, "step");
+    const auto values = std::ranges::find(found->values, step - 1, &SceneValues::step);
+    if (values == found->values.end())
+        bad(fmt::format("result '{}' has no values at step {}", found->id, step));
+    return {
+        static_cast<std::size_t>(found - results.begin()),
+        static_cast<std::size_t>(values - found->values.begin()),
+        number(entry, "bound"),
+        number(entry, "max"),
+        number(entry, "shown")};
+}
+
+void read_levels(const json& feelem, SceneDocument& out) {
+    for (const json& entry : list(feelem, "levels")) {
+        if (!entry.is_object()) bad("an entry of 'levels' is not an object");
+        SceneLevel level;
+        level.triangles = count(entry, "triangles");
+        level.bound = number(entry, "bound");
+        const json& distance = need(entry, "distance");
+        if (!distance.is_object()) bad("'distance' of a level is not an object");
+        level.distance_bound = number(distance, "bound");
+        level.max_distance = number(distance, "max");
+        level.samples = count(entry, "samples");
+        for (const json& values : list(entry, "values")) {
+            if (!values.is_object()) bad("an entry of a level's 'values' is not an object");
+            level.values.push_back(read_level_values(values, out));
+        }
+        std::vector<std::string>& names = out.level_indices.emplace_back();
+        for (const json& name : list(entry, "indices"))
+            names.push_back(name.is_string() ? name.get<std::string>() : std::string());
+        if (names.size() != out.scene.parts.size()) bad("a level does not name one array per part");
+        out.scene.levels.push_back(std::move(level));
+    }
+}
+
 /// Result and step that an entry of extras names.
 std::pair<std::size_t, std::size_t> read_shown(const json& entry, const SceneDocument& out) {
     const auto& results = out.scene.results;
@@ -432,6 +471,7 @@ SceneDocument read_document(const json& root) {
     read_nodes(root, out, out.scene.parts.size());
     read_steps(feelem, out);
     read_results(feelem, out);
+    read_levels(feelem, out);
     read_what_is_shown(feelem, out);
     read_certificate(feelem, out.certificate);
     for (const char* name : {"model", "skin"}) {

@@ -78,7 +78,9 @@ struct SceneDocument {
     std::vector<std::uint64_t> triangles;
     std::vector<std::uint64_t> model_parts;  ///< Which part of the model; solids and shells may share one.
     std::vector<std::vector<FieldPlace>> fields;  ///< [result][values]
-    Scene scene;                                  ///< All but geometry and fields.
+    std::vector<std::vector<std::string>>
+        level_indices;  ///< [level][part]; empty: nothing of the part is left.
+    Scene scene;        ///< All but geometry and fields.
     std::vector<TexcoordClaim> texcoords;
     std::optional<DeformationClaim> deformation;
     std::string presentation_json;

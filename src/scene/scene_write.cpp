@@ -7,6 +7,7 @@
 #include "scene/scene_extras.hpp"
 #include "scene/scene_fields.hpp"
 #include "scene/scene_geometry.hpp"
+#include "scene/scene_levels.hpp"
 #include "scene/scene_materials.hpp"
 #include "scene/scene_store.hpp"
 
@@ -42,6 +43,7 @@ std::string build_scene(SceneBuild& build, SceneFiles& files, Diagnostics& diagn
     choose_coloured(build);
     choose_deformation(build);
     write_geometry(build);
+    write_level_triangles(build);
     write_fields(build, files);
     write_tree(build, write_materials(build));
     write_animation(build);
