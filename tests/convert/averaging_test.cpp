@@ -135,6 +135,18 @@ TEST(AverageNone, gives_each_element_its_own_vertices_and_names_it_in_ranges) {
     EXPECT_EQ(range.min_element, 1);
 }
 
+TEST(AverageNone, has_no_level_of_detail_and_says_so) {
+    Job job = two_bricks("average_none_levels");
+    job.averages = {Averaging::None};
+    job.levels = "10%";
+    Diagnostics diagnostics;
+
+    ASSERT_TRUE(convert(job, diagnostics, {}));
+
+    EXPECT_EQ(diagnostics.count(Code::LevelOfDetail), 1U);
+    EXPECT_TRUE(load_scene(job.output).levels.empty());
+}
+
 TEST(AverageSeveral, are_results_of_their_own_and_every_claim_of_the_scene_holds) {
     Job job = two_bricks("average_several");
     job.averages = {Averaging::Part, Averaging::All, Averaging::None};
