@@ -10,6 +10,7 @@ const host = document.getElementById("app") ?? document.body;
 const shell = new Shell(host, {
   antialias: query.get("antialias") !== "0",
   governed: query.get("governor") !== "0",
+  mostTriangles: Number(query.get("triangles")) || Number.POSITIVE_INFINITY,
 });
 
 const ready = shell.openAddress(query.get("scene") ?? "scene.glb");

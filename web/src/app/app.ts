@@ -34,6 +34,8 @@ export interface AppOptions {
   readonly antialias: boolean;
   /** The picture gets coarser while it moves, where frames would take too long. */
   readonly governed: boolean;
+  /** That are drawn, where the scene has levels of detail. */
+  readonly mostTriangles: number;
   /** The scene is the server's own, so that it can be asked about the inside. */
   readonly served: boolean;
   /** Asks for a file and opens it. */
@@ -136,6 +138,11 @@ export class App implements ApiSource {
   /** Whether the scene came from the page's own server. */
   get served(): boolean {
     return this.#options.served;
+  }
+
+  /** Triangles that this page may draw at most. */
+  get mostTriangles(): number {
+    return this.#options.mostTriangles;
   }
 
   /** Asks the person for a scene or a presentation. */
@@ -279,6 +286,12 @@ export class App implements ApiSource {
   refreshPage(): void {
     this.#pageView.render();
     this.invalidate();
+  }
+
+  /** The picture is finer or coarser than before: what is said of it follows. */
+  redrawn(): void {
+    this.#vr.renew();
+    this.refreshPage();
   }
 
   #reshown(): void {

@@ -5,6 +5,7 @@ import { automaticDeformationFactor, type ValueRange } from "../present";
 import { type Cut, Picker } from "../probe";
 import { ModelObject } from "../render";
 import type { SceneData, SceneResult, SceneStep } from "../scene";
+import { numberText, unitText } from "../ui";
 import { largestOf, toVectors } from "./displacements";
 import {
   colourEffect,
@@ -22,6 +23,13 @@ const TOLD_BY_LIGHTNESS: ReadonlySet<string> = new Set(["cividis", "cool_warm"])
 /** A step that is left again so soon, while another is still on its way, is not read. */
 const PASSED_BY_MS = 120;
 const scratch = new Vector3();
+
+/** To two digits, never to less: it is a bound. */
+function roundedUp(bound: number): number {
+  if (!(bound > 0)) return 0;
+  const place = 10 ** (Math.floor(Math.log10(bound)) - 1);
+  return Math.ceil(bound / place - 1e-9) * place;
+}
 const SKIN_ONLY =
   "Inside the material: this scene has no volume elements, so no value is here. Open the model file for values.";
 
@@ -296,6 +304,25 @@ export class ModelView {
     this.model.setFactor(re, im);
     this.picker.setShape(this.#displacements, re, this.#imaginary, im);
     this.applyGhost();
+  }
+
+  /** What may be wrong with the picture while a reduced level is drawn; empty: nothing is. */
+  get levelText(): string {
+    const level = this.scene.extras.levels?.[this.model.level - 1];
+    if (!level) return "";
+    const colour = this.shownAs("colour");
+    const boundOf = (result: SceneResult | null | undefined, step: number): number =>
+      level.values.find((v) => v.result === result?.id && v.step === step)?.bound ?? Number.NaN;
+    const { minus } = colour?.result ?? {};
+    const { step } = this.#store.state;
+    const bound = minus
+      ? boundOf(minus.result, step) + boundOf(minus.result, minus.step)
+      : boundOf(colour?.result, step);
+    const unit = unitText(colour?.unit ?? "");
+    const own = Number.isFinite(bound)
+      ? ` (±${numberText(roundedUp(bound), 2)}${unit ? ` ${unit}` : ""})`
+      : "";
+    return `values within ±${numberText(roundedUp(100 * level.bound), 2)} %${own}`;
   }
 
   /** Diagonal of the undeformed box, model units. */

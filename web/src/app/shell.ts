@@ -36,13 +36,15 @@ async function droppedFiles(data: DataTransfer): Promise<File[]> {
   return files;
 }
 
+type Drawing = Pick<AppOptions, "antialias" | "governed" | "mostTriangles">;
+
 export class Shell {
   readonly #host: HTMLElement;
-  readonly #drawing: { antialias: boolean; governed: boolean };
+  readonly #drawing: Drawing;
   #app: App | null = null;
   #page: Page;
 
-  constructor(host: HTMLElement, drawing: { antialias: boolean; governed: boolean }) {
+  constructor(host: HTMLElement, drawing: Drawing) {
     this.#host = host;
     this.#drawing = drawing;
     this.#page = new Page(host);

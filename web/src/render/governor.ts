@@ -2,22 +2,36 @@
 // How fine the picture is while it moves, from the times of frames alone. It knows nothing of values: what is read, heard
 // and felt is the same at every level.
 
-/** What a level draws. A scene with levels of detail would choose one here too. */
+/** What a level draws. */
 export interface Level {
   /** Of the pixels along each side. */
   readonly resolution: number;
   /** Lines of elements. */
   readonly edges: boolean;
+  /** Of the skin at most, where the scene has levels of detail. */
+  readonly triangles: number;
 }
 
+const FEW = 500_000;
+const FEWEST = 125_000;
+/** What a headset draws in time, whatever its frames say: it must not drop any before it is known to be slow. */
+export const HEADSET_TRIANGLES = FEW;
+
 export const LEVELS: readonly Level[] = [
-  { resolution: 1, edges: true },
-  { resolution: 0.75, edges: true },
-  { resolution: 0.6, edges: false },
-  { resolution: 0.45, edges: false },
-  { resolution: 0.33, edges: false },
+  { resolution: 1, edges: true, triangles: Number.POSITIVE_INFINITY },
+  { resolution: 0.75, edges: true, triangles: FEW },
+  { resolution: 0.6, edges: false, triangles: FEW },
+  { resolution: 0.45, edges: false, triangles: FEWEST },
+  { resolution: 0.33, edges: false, triangles: FEWEST },
 ];
-export const FINEST: Level = LEVELS[0] ?? { resolution: 1, edges: true };
+export const FINEST: Level = LEVELS[0] ?? { resolution: 1, edges: true, triangles: FEW };
+
+/** Which level of a scene fits: 0 for all triangles, else counted from 1, from fine to coarse. The coarsest when none does. */
+export function levelWithin(budget: number, all: number, levels: readonly number[]): number {
+  if (all <= budget || levels.length === 0) return 0;
+  const found = levels.findIndex((triangles) => triangles <= budget);
+  return found < 0 ? levels.length : found + 1;
+}
 
 export interface Governor {
   readonly level: number;

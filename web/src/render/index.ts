@@ -3,6 +3,7 @@
 export { ArrowGlyphs, type Glyph } from "./arrow-glyphs";
 export { featureEdges } from "./feature-edges";
 export { type CutPlane, MAX_CUTS } from "./field-material";
+export { HEADSET_TRIANGLES, levelWithin } from "./governor";
 export type { InsideMesh, InsideTriangles } from "./inside-mesh";
 export { ModelObject } from "./model-object";
 export { Orbit } from "./orbit";

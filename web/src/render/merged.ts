@@ -93,6 +93,18 @@ function merge(pieces: readonly Piece[], numbers: readonly number[]): Merged {
   return { geometry, slices };
 }
 
+/** Triangles of a level over the merged vertices; null: nothing of the part is left. */
+export function mergeLevel(
+  slices: readonly Slice[],
+  lists: readonly (Uint32Array | null)[],
+): BufferAttribute {
+  const pieces = slices.map((_, i) => lists[i] ?? new Uint32Array(0));
+  const shifts = slices.map((s) => s.firstVertex);
+  const index = new BufferAttribute(join(new Uint32Array(total(pieces)), pieces, shifts), 1);
+  index.onUpload(letGo);
+  return index;
+}
+
 export function mergeFaces(parts: readonly ScenePart[]): Merged {
   const merged = merge(
     parts.map((part) => ({ part, positions: part.positions, indices: part.indices })),

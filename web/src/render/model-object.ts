@@ -15,7 +15,7 @@ import {
   type Uniforms,
 } from "./field-material";
 import { InsideMesh, type InsideTriangles } from "./inside-mesh";
-import { type Merged, mergeEdges, mergeFaces } from "./merged";
+import { type Merged, mergeEdges, mergeFaces, mergeLevel } from "./merged";
 import type { Palette } from "./palette";
 import { type PartLook, PartTable } from "./part-table";
 
@@ -45,6 +45,9 @@ export class ModelObject {
   readonly #inside = new Set<InsideMesh>();
   #isCut = false;
   #palette: Palette | null = null;
+  /** Lists of triangles by level; 0: all of them. */
+  readonly #levels = new Map<number, BufferAttribute>();
+  #level = 0;
 
   constructor(scene: SceneData) {
     this.group.matrixAutoUpdate = false;
@@ -63,6 +66,7 @@ export class ModelObject {
         );
     }
     this.#faces = mergeFaces(scene.parts);
+    this.#levels.set(0, this.#faces.geometry.getIndex() as BufferAttribute);
     const shown = new Mesh(this.#faces.geometry, this.#shown);
     this.#clearMesh = new Mesh(this.#faces.geometry, this.#clear);
     this.#clearMesh.visible = false;
@@ -73,6 +77,27 @@ export class ModelObject {
     const diagonal = this.box.getSize(new Vector3()).length();
     setUniform(this.#uniforms, "hatchScale", diagonal > 0 ? 60 / diagonal : 1);
     setUniform(this.#uniforms, "capHatch", diagonal > 0 ? 90 / diagonal : 1);
+  }
+
+  /** The level of detail that is drawn; 0: all triangles. */
+  get level(): number {
+    return this.#level;
+  }
+
+  hasLevel(level: number): boolean {
+    return this.#levels.has(level);
+  }
+
+  /** Fewer triangles of the same vertices, one list a part. */
+  addLevel(level: number, lists: readonly (Uint32Array | null)[]): void {
+    this.#levels.set(level, mergeLevel(this.#faces.slices, lists));
+  }
+
+  setLevel(level: number): void {
+    const index = this.#levels.get(level);
+    if (!index || level === this.#level) return;
+    this.#level = level;
+    this.#faces.geometry.setIndex(index);
   }
 
   /** Element edges, which come after the faces. */

@@ -20,6 +20,7 @@ export class Stage {
   readonly quality: Quality;
   readonly #frames = new Set<FrameListener>();
   readonly #lateFrames = new Set<FrameListener>();
+  readonly #pictures = new Set<() => void>();
   readonly #host: HTMLElement;
   readonly #resizeObserver: ResizeObserver;
   #dirty = true;
@@ -67,6 +68,12 @@ export class Stage {
   onLateFrame(listener: FrameListener): () => void {
     this.#lateFrames.add(listener);
     return () => this.#lateFrames.delete(listener);
+  }
+
+  /** Before a picture is taken, which is always at the finest. */
+  onPicture(listener: () => void): () => void {
+    this.#pictures.add(listener);
+    return () => this.#pictures.delete(listener);
   }
 
   get size(): Vector2 {
@@ -121,6 +128,7 @@ export class Stage {
       this.#drawnLevel = FINEST;
       this.renderer.setPixelRatio(this.#fullRatio);
     }
+    for (const listener of this.#pictures) listener();
     this.renderer.render(this.scene, this.camera);
   }
 

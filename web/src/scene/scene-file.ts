@@ -30,6 +30,8 @@ export interface SceneData {
   readonly edgesCame: Promise<void>;
   /** A result at a step, one entry a part; null where the part has no such result. Cached. */
   readonly loadField: LoadField;
+  /** Corners of the triangles of a level of `extras.levels`, one list a part; null: nothing of the part is left. */
+  readonly loadLevel: (level: number) => Promise<readonly (Uint32Array | null)[]>;
 }
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] as const;
@@ -170,6 +172,19 @@ class Opener {
     };
   }
 
+  async level(index: number, parts: readonly ScenePart[], extras: FeelemExtras) {
+    const names = extras.levels?.[index]?.indices ?? [];
+    return Promise.all(
+      parts.map(async (part) => {
+        const name = names[extras.parts.findIndex((p) => p.id === part.index)];
+        if (!name) return null;
+        const numbers = await this.#reader.readNamed(name);
+        if (numbers.count % 3) throw new SceneError(`${name}: a triangle with too few corners`);
+        return asIndices(numbers, part.positions.length / 3, name);
+      }),
+    );
+  }
+
   /** Said before the edges come. */
   checkEdges(found: Found): void {
     if (this.#primitive(found).attributes._NODE_ID === undefined) this.#gap("node ids of edges");
@@ -201,6 +216,8 @@ function wantedViews(json: GltfJson, found: readonly Found[], extras: FeelemExtr
     add(primitive?.indices, geometry);
   }
   for (const part of extras.parts) if (part.elements) add(byName.get(part.elements), geometry);
+  for (const { indices } of extras.levels ?? [])
+    for (const name of indices) if (name) add(byName.get(name), views);
   for (const { values } of extras.results)
     for (const { accessors, valid } of values)
       for (const name of [...accessors.flat(), ...(valid ?? [])]) if (name) add(byName.get(name), views);
@@ -255,5 +272,6 @@ export async function openScene(
     gaps: opener.gaps,
     edgesCame,
     loadField: fieldLoader(parts, extras, reader),
+    loadLevel: (level) => opener.level(level, parts, extras),
   };
 }

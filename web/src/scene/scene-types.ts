@@ -68,6 +68,18 @@ export interface ScenePartInfo {
   readonly modelPart?: number;
 }
 
+/** A reduced list of triangles over the same vertices, and what is promised while it is drawn (docs/levels.md). */
+export interface SceneLevel {
+  readonly triangles: number;
+  /** An accessor name a part; null where nothing of the part is left. */
+  readonly indices: readonly (string | null)[];
+  /** Of each result's range: the largest of the values' bounds. */
+  readonly bound: number;
+  readonly distance?: { readonly bound: number; readonly max: number };
+  /** In the result's unit, of every result at every step. */
+  readonly values: readonly { readonly result: string; readonly step: number; readonly bound: number }[];
+}
+
 /** Root extras.feelem. Keys this page does not know are kept as they are. */
 export interface FeelemExtras {
   readonly version: number;
@@ -77,6 +89,8 @@ export interface FeelemExtras {
   readonly parts: readonly ScenePartInfo[];
   readonly steps: readonly SceneStep[];
   readonly results: readonly SceneResult[];
+  /** From fine to coarse, without the full one. */
+  readonly levels?: readonly SceneLevel[];
   readonly deformation?: { readonly result: string; readonly step?: number; readonly factor: number } | null;
   readonly presentation?: Record<string, unknown>;
   readonly certificate?: Record<string, unknown>;

@@ -17,6 +17,8 @@ export interface LegendModel {
   readonly palette: Palette;
   readonly stepText: string;
   readonly deformText: string;
+  /** What may be wrong with the picture while a reduced level of detail is drawn; empty: nothing is. */
+  readonly levelText: string;
   /** Value under the pointer. */
   readonly probed: number | null;
   readonly shading: boolean;
@@ -192,5 +194,6 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
       <p class="legend-note">${model.deformText}</p>
     </details>
     ${model.shading ? html`<p class="legend-note">shaded: colours on the model are darker than here</p>` : null}
+    ${model.levelText ? html`<p class="legend-note legend-level" title="Fewer triangles are drawn. What is read, heard and felt is exact.">drawn with ${model.levelText}; readings are exact</p>` : null}
   </aside>`;
 }

@@ -87,7 +87,8 @@ export function paintVrLegend(context: Drawing, model: LegendModel | null): void
   context.fillStyle = C.soft;
   font(context, 27);
   context.fillText(model.deformText, 30, height - 64, width - 60);
-  context.fillText(shown.result?.location ?? "", 30, height - 28, width - 60);
+  // The place of the values gives way to what may be wrong with them.
+  context.fillText(model.levelText || (shown.result?.location ?? ""), 30, height - 28, width - 60);
 }
 
 export function paintVrCard(context: Drawing, model: CardModel): void {

@@ -112,7 +112,9 @@ export async function openPage(browser, url, options = {}) {
   page.on("console", (message) => {
     if (message.type() === "error") problems.push(message.text());
   });
-  const drawing = [smooth ? [] : "antialias=0", governed ? [] : "governor=0"].flat().join("&");
+  const drawing = [options.query ?? [], smooth ? [] : "antialias=0", governed ? [] : "governor=0"]
+    .flat()
+    .join("&");
   await page.goto(drawing ? url.replace(/(?=#|$)/, `?${drawing}`) : url);
   if (!options.early) await page.evaluate(() => window.feelem.ready);
   return { page, context, foreign, problems };

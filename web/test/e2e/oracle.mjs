@@ -47,7 +47,7 @@ export function readScene(bytes) {
     const mask = entry.valid?.[part] ? named(entry.valid[part]) : null;
     return { values: named(entry.accessors[part]), mask };
   };
-  return { extras, parts, matrix: model.matrix, field };
+  return { extras, parts, matrix: model.matrix, field, named };
 }
 
 function weightsOf(p, a, b, c) {

@@ -16,6 +16,7 @@ import { keyboardTests } from "./keyboard.mjs";
 import { lanTests } from "./lan.mjs";
 import { legendTests } from "./legend.mjs";
 import { listeningTests } from "./listening.mjs";
+import { lodTests } from "./lod.mjs";
 import { lookTests } from "./look.mjs";
 import { readScene } from "./oracle.mjs";
 import { packedTests } from "./packed.mjs";
@@ -90,6 +91,7 @@ for (const { name, run, skip } of [
   ...vectorTests,
   ...reviewTests,
   ...lanTests,
+  ...lodTests,
 ]) {
   if (!name.includes(wanted)) continue;
   if (skip) {

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // The governor: coarser when frames are slow, finer when they are quick, never to and fro, and fine at rest.
 import { expect, test } from "vitest";
-import { AT_FIRST, type Governor, govern, LEVELS, type Pace, ROUND } from "../../src/render/governor";
+import {
+  AT_FIRST,
+  type Governor,
+  govern,
+  HEADSET_TRIANGLES,
+  LEVELS,
+  levelWithin,
+  type Pace,
+  ROUND,
+} from "../../src/render/governor";
 import { Quality } from "../../src/render/quality";
 
 const pace: Pace = { budget: 33, interval: 16.7 };
@@ -104,4 +113,19 @@ test("page_that_is_not_governed_is_always_at_its_finest", () => {
   const quality = new Quality(false);
   for (let i = 0; i < 50; ++i) quality.next(i, true);
   expect(quality.drawn.resolution).toBe(1);
+});
+
+test("the_finest_level_within_the_budget_is_drawn_and_the_coarsest_where_none_fits", () => {
+  const levels = [500_000, 125_000];
+  expect(levelWithin(Number.POSITIVE_INFINITY, 2_000_000, levels)).toBe(0);
+  expect(levelWithin(HEADSET_TRIANGLES, 2_000_000, levels)).toBe(1);
+  expect(levelWithin(HEADSET_TRIANGLES, 400_000, levels)).toBe(0);
+  expect(levelWithin(130_000, 2_000_000, levels)).toBe(2);
+  expect(levelWithin(1000, 2_000_000, levels)).toBe(2);
+  expect(levelWithin(1000, 2_000_000, [])).toBe(0);
+});
+
+test("no_coarser_level_draws_more_triangles", () => {
+  for (const [i, { triangles }] of LEVELS.entries())
+    expect(triangles).toBeLessThanOrEqual(LEVELS[i - 1]?.triangles ?? Number.POSITIVE_INFINITY);
 });

@@ -40,6 +40,29 @@ test("masked_values_come_back_as_missing_and_never_as_a_number", async () => {
   }
 });
 
+test("levels_of_detail_come_when_they_are_asked_for_and_hold_the_parts_own_vertices", async () => {
+  const scene = await openScene(tinyScene({ levels: true, bars: 2 }).glb, noSide);
+  const lists = await scene.loadLevel(0);
+
+  expect(scene.extras.levels?.[0]?.triangles).toBe(24);
+  expect(lists.map((list) => list?.length)).toEqual([36, 36]);
+  for (const [i, part] of scene.parts.entries())
+    for (const corner of lists[i]!) expect(part.nodeIds[corner]).toBeGreaterThan(0);
+});
+
+test("a_level_of_other_vertices_or_without_data_is_refused", async () => {
+  const { glb } = tinyScene({ levels: true });
+  const length = new DataView(glb).getUint32(12, true);
+  const json = JSON.parse(new TextDecoder().decode(new Uint8Array(glb, 20, length)));
+  const named = json.accessors.find((a: { name: string }) => a.name === "p0/indices/lod1");
+  const start = 28 + length + json.bufferViews[named.bufferView].byteOffset;
+  new DataView(glb).setUint32(start, 1_000_000, true);
+  const scene = await openScene(glb, noSide);
+
+  await expect(scene.loadLevel(0)).rejects.toThrow(SceneError);
+  expect(await scene.loadLevel(1)).toEqual([null]);
+});
+
 test("side_files_are_fetched_once_and_only_when_asked_for", async () => {
   const tiny = tinyScene({ sideFiles: true });
   const asked: string[] = [];

@@ -12,6 +12,8 @@ export interface TinyOptions {
   times?: number;
   /** The mode of step 2 has an imaginary part. */
   complex?: boolean;
+  /** Bars have a level of detail: their twelve triangles from corner to corner. */
+  levels?: boolean;
   /** The bar swollen to a ball of 60 mm, with this temperature everywhere. */
   ball?: number;
 }
@@ -384,6 +386,41 @@ function writeValues(writer: GlbWriter, skins: Skin[], q: Quantity, step: number
   return { step, accessors, valid, missing: 0, min: scalar ? scalars[0] : null, max };
 }
 
+/** Two triangles a face of the bar, between its outermost vertices; its faces follow each other. */
+function cornerTriangles(skin: Skin): number[] {
+  const faces = new Map<string, number[]>();
+  for (const [i, v] of skin.vertices.entries()) {
+    const key = v.normal.join(" ");
+    faces.set(key, [...(faces.get(key) ?? []), i]);
+  }
+  const at = (i: number) => skin.vertices[i]!.position;
+  return [...faces.values()].flatMap((own) => {
+    const normal = skin.vertices[own[0]!]!.normal;
+    const k = normal.findIndex((c) => c !== 0);
+    const [u, v] = [(k + 1) % 3, (k + 2) % 3];
+    const far = (su: number, sv: number) =>
+      own.reduce((best, i) =>
+        su * at(i)[u]! + sv * at(i)[v]! > su * at(best)[u]! + sv * at(best)[v]! ? i : best,
+      );
+    const [a, b, c, d] = [far(-1, -1), far(1, -1), far(1, 1), far(-1, 1)];
+    return normal[k]! > 0 ? [a, b, c, a, c, d] : [a, c, b, a, d, c];
+  });
+}
+
+/** A level that promises a fiftieth of everything. */
+function writeLevel(writer: GlbWriter, skins: Skin[], results: { id: string; values: { step: number }[] }[]) {
+  const lists = skins.map(cornerTriangles);
+  const indices = lists.map((list, bar) => {
+    writer.add(`p${bar}/indices/lod1`, Uint32Array.from(list), "SCALAR");
+    return `p${bar}/indices/lod1`;
+  });
+  const triangles = lists.reduce((sum, list) => sum + list.length / 3, 0);
+  const values = results.flatMap(({ id, values }) =>
+    values.map(({ step }) => ({ result: id, step, bound: 0.123, max: 0.1, shown: 0.1 })),
+  );
+  return { triangles, indices, bound: 0.02, samples: 0, distance: { bound: 0.1, max: 0 }, values };
+}
+
 function stepsOf(options: TinyOptions) {
   const times = Array.from({ length: options.times ?? 0 }, (_, i) => ({
     id: 3 + i,
@@ -456,6 +493,7 @@ export function tinyScene(options: TinyOptions = {}): TinyScene {
     parts,
     steps,
     results,
+    ...(options.levels ? { levels: [writeLevel(writer, skins, results)] } : {}),
     texcoords: [],
     deformation: { result: "displacement", step: 1, factor: 1 },
     presentation: TINY_PRESENTATION,

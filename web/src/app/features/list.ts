@@ -11,6 +11,7 @@ import type { Feature } from "./feature";
 import { History } from "./history";
 import { HotSpots } from "./hot-spots";
 import { Inside } from "./inside";
+import { Levels } from "./levels";
 import { Limits } from "./limits";
 import { Links } from "./links";
 import { Listening } from "./listening";
@@ -44,6 +45,7 @@ export function makeFeatures(app: App): readonly Feature[] {
     new Save(app),
     new Connect(),
     new Walking(app),
+    new Levels(app),
     new Device(app),
     new Links(app),
     new Palette(app),

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which level of detail is drawn: as fine as the budget allows, with what may be wrong while it is. What is read, heard and
+// felt comes from the full triangles at every level: they alone are picked.
+import { HEADSET_TRIANGLES, levelWithin } from "../../render";
+import type { App } from "../app";
+import type { Feature } from "./feature";
+
+export class Levels implements Feature {
+  readonly id = "levels";
+  readonly #app: App;
+  readonly #counts: readonly number[];
+  readonly #all: number;
+  readonly #coming = new Set<number>();
+
+  constructor(app: App) {
+    this.#app = app;
+    const { extras, parts } = app.view.scene;
+    this.#counts = (extras.levels ?? []).map((level) => level.triangles);
+    this.#all = parts.reduce((sum, part) => sum + part.indices.length / 3, 0);
+    if (this.#counts.length === 0) return;
+    app.atEnd(app.stage.onFrame(() => this.#choose()));
+    app.atEnd(app.stage.onPicture(() => this.#draw(levelWithin(app.mostTriangles, this.#all, this.#counts))));
+  }
+
+  #choose(): void {
+    const { stage, mostTriangles } = this.#app;
+    const headset = stage.renderer.xr.isPresenting ? HEADSET_TRIANGLES : Number.POSITIVE_INFINITY;
+    const budget = Math.min(stage.quality.drawn.triangles, headset, mostTriangles);
+    this.#draw(levelWithin(budget, this.#all, this.#counts));
+  }
+
+  #draw(level: number): void {
+    const { model } = this.#app.view;
+    if (level === model.level) return;
+    if (!model.hasLevel(level)) {
+      void this.#load(level);
+      return;
+    }
+    model.setLevel(level);
+    this.#app.redrawn();
+  }
+
+  async #load(level: number): Promise<void> {
+    if (this.#coming.has(level)) return;
+    this.#coming.add(level);
+    try {
+      this.#app.view.model.addLevel(level, await this.#app.view.scene.loadLevel(level - 1));
+      this.#app.invalidate();
+    } catch (error) {
+      // It stays among those that come: nobody asks for it again, and all triangles are drawn.
+      const reason = error instanceof Error ? error.message : String(error);
+      this.#app.store.set({ problem: `Level of detail: ${reason}` });
+    }
+  }
+
+  report() {
+    const { level } = this.#app.view.model;
+    const triangles = level === 0 ? this.#all : (this.#counts[level - 1] ?? 0);
+    return { levels: { drawn: level, of: this.#counts.length, triangles, text: this.#app.view.levelText } };
+  }
+}
