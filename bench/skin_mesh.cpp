@@ -64,6 +64,10 @@ private:
     std::vector<std::uint32_t> number_;
 };
 
+/// Cubes cut in two, each half a hexahedron with repeated nodes (SOLID185 as a prism), in the upper half of
+/// x.
+constexpr std::array<std::array<int, 8>, 2> kDegenerate{{{0, 1, 2, 2, 4, 5, 6, 6}, {0, 2, 3, 3, 4, 6, 7, 7}}};
+
 std::array<int, 3> half_steps(std::array<int, 3> cube, int corner) {
     std::array<int, 3> at{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -167,9 +171,31 @@ std::vector<Point3> make_uniform(const std::string& kind, std::size_t cells, Mes
     ElementBlock& block = mesh.blocks.front();
     Grid grid(cubes);
     for_each_cube(cubes, [&](std::array<int, 3> cube) {
+        if (kind == "degenerate" && cube[0] * 2 >= side) {
+            for (const auto& half : kDegenerate) add(grid, block, cube, half);
+            return;
+        }
         is_tet ? add_tets(grid, block, cube) : add_hex(grid, block, cube);
     });
     return std::move(grid.places);
+}
+
+/// Linear tetrahedra from a file of free_tets.py: two counts, coordinates, corners.
+std::vector<Point3> read_free_tets(const std::string& path, Mesh& mesh) {
+    std::ifstream file(path, std::ios::binary);
+    std::array<std::uint64_t, 2> counts{};
+    file.read(reinterpret_cast<char*>(counts.data()), sizeof counts);
+    std::vector<Point3> places(file ? counts[0] : 0);
+    mesh.blocks.push_back({ElementType::Tet4, {}, {}, std::vector<NodeIndex>(file ? counts[1] * 4 : 0)});
+    file.read(
+        reinterpret_cast<char*>(places.data()), static_cast<std::streamsize>(places.size() * sizeof(Point3))
+    );
+    file.read(
+        reinterpret_cast<char*>(mesh.blocks[0].nodes.data()),
+        static_cast<std::streamsize>(mesh.blocks[0].nodes.size() * sizeof(NodeIndex))
+    );
+    if (!file || places.empty()) throw std::invalid_argument("no tetrahedra in " + path);
+    return places;
 }
 
 /// Where each of `count` things goes.
@@ -212,10 +238,14 @@ std::size_t status_kib(const char* word) {
 }  // namespace
 
 Mesh make_mesh(const std::string& kind, std::size_t cells, const std::string& numbering) {
-    constexpr std::array kKinds{"hex8", "tet4", "hex20", "tet10", "mixed", "plate"};
-    if (std::ranges::find(kKinds, kind) == kKinds.end()) throw std::invalid_argument("unknown mesh " + kind);
+    constexpr std::array kKinds{"hex8", "tet4", "hex20", "tet10", "mixed", "plate", "degenerate"};
+    const bool is_file = kind.starts_with("free=");
+    if (!is_file && std::ranges::find(kKinds, kind) == kKinds.end())
+        throw std::invalid_argument("unknown mesh " + kind);
     Mesh mesh;
-    mesh.coordinates = kind == "mixed" ? make_mixed(cells, mesh) : make_uniform(kind, cells, mesh);
+    mesh.coordinates = is_file           ? read_free_tets(kind.substr(5), mesh)
+                       : kind == "mixed" ? make_mixed(cells, mesh)
+                                         : make_uniform(kind, cells, mesh);
     if (numbering == "windowed")
         renumber(mesh, 4096);
     else if (numbering == "random")

@@ -23,6 +23,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -119,7 +120,10 @@ Found look_at(vtkPolyData* skin, const std::string& node_ids) {
             found.area += 0.5 * std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
             found.volume += (n[0] * a[0] + n[1] * a[1] + n[2] * a[2]) / 6;
         }
-        found.facets.add(nodes);
+        // Where hexahedra repeat nodes, VTK keeps sides that are lines, and triangles as quads.
+        std::ranges::sort(nodes);
+        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+        if (nodes.size() >= 3) found.facets.add(nodes);
     }
     return found;
 }

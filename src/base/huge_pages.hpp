@@ -3,7 +3,14 @@
 // apart are found faster.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 namespace feelem {
@@ -18,7 +25,7 @@ void reserve_big(std::vector<T>& values, std::size_t count) {
     prefer_huge_pages(values.data(), count * sizeof(T));
 }
 
-/// `count` zeros.
+/// `count` elements of value zero.
 template <class T>
 std::vector<T> big_zeros(std::size_t count) {
     std::vector<T> values;
@@ -26,5 +33,32 @@ std::vector<T> big_zeros(std::size_t count) {
     values.resize(count);
     return values;
 }
+
+/// The same, not written before they are used: the system gives memory as zeros. For types of which a value
+/// is bits that are all zero, and nothing has to be done when it ends.
+template <class T>
+class ZeroedArray {
+    static_assert(std::is_trivially_destructible_v<T> && std::is_trivially_copyable_v<T>);
+
+public:
+    explicit ZeroedArray(std::size_t count)
+        : memory_(std::calloc(count + 1, std::max(sizeof(T), alignof(T))), &std::free), size_(count) {
+        if (memory_ == nullptr) throw std::bad_alloc();
+        const auto start = reinterpret_cast<std::uintptr_t>(memory_.get());
+        data_ = reinterpret_cast<T*>((start + alignof(T) - 1) / alignof(T) * alignof(T));
+        prefer_huge_pages(data_, count * sizeof(T));
+    }
+
+    T* data() noexcept { return data_; }
+    std::size_t size() const noexcept { return size_; }
+    T& operator[](std::size_t i) noexcept { return data_[i]; }
+    const T& operator[](std::size_t i) const noexcept { return data_[i]; }
+    std::span<const T> span() const noexcept { return {data_, size_}; }
+
+private:
+    std::unique_ptr<void, void (*)(void*)> memory_;
+    T* data_ = nullptr;
+    std::size_t size_ = 0;
+};
 
 }  // namespace feelem

@@ -17,6 +17,7 @@ void hash_elements(ElementRun run, FacetHashes what, FacetBatch& out, std::size_
     for (std::size_t e = 0; e < run.count; ++e, first += kRow.node_count) {
         fetch_elements_after(first);
         const std::span nodes(first, kRow.node_count);
+        out.may_repeat = out.may_repeat || facet_hash::repeats(kRow, nodes);
         const facet_hash::ElementKeys keys = facet_hash::keys_of(kRow, nodes);
         const auto one = [&](const FacetRow& facet) {
             const FacetHash hash = facet_hash::of(facet, nodes, keys);

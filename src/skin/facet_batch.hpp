@@ -23,6 +23,7 @@ struct FacetBatch {
     static constexpr std::size_t kSlack = 8;             ///< Whole registers are stored.
     std::array<std::uint64_t, kFacets + kSlack> hashes;  ///< 0: the facet collapses.
     std::array<std::uint32_t, kFacets + kSlack> lowest;  ///< Smallest corner; 0 of facets that collapse.
+    bool may_repeat = false;  ///< Set once an element had a corner twice on a facet; never reset.
 };
 
 /// Elements of one solid type, which follow each other from `nodes` on.

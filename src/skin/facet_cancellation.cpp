@@ -76,14 +76,21 @@ void for_each_run(
     }
 }
 
-/// Adds the facets of elements [first, last) at their smallest corners; returns how many collapse. `kShared`:
-/// other threads add there too.
+/// What pass 1 notices.
+struct Noticed {
+    std::atomic<std::uint64_t> collapsed{0};
+    std::atomic<bool> may_repeat{false};  ///< FacetBatch::may_repeat.
+};
+
+/// Adds the facets of elements [first, last) at their smallest corners. `kShared`: other threads add there
+/// too.
 template <bool kShared>
-std::uint64_t add_hashes(
+void add_hashes(
     const SolidBlock& solids,
     const std::vector<bool>& set_aside,
     std::array<std::size_t, 2> range,
-    std::uint64_t* sums
+    std::uint64_t* sums,
+    Noticed& noticed
 ) {
     std::uint64_t collapsed = 0;
     FacetBatch batch;
@@ -103,16 +110,16 @@ std::uint64_t add_hashes(
             }
         }
     });
-    return collapsed;
+    noticed.collapsed += collapsed;
+    if (batch.may_repeat) noticed.may_repeat = true;
 }
 
 /// The nodes at which a hash is left.
-NodeRanks marked(const std::vector<std::uint64_t>& sums) {
+NodeRanks marked(std::span<const std::uint64_t> sums) {
     std::vector<std::uint64_t> words((sums.size() + 63) / 64);
     parallel_chunks(words.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
-            const auto here =
-                std::span(sums).subspan(i * 64, std::min<std::size_t>(sums.size() - i * 64, 64));
+            const auto here = sums.subspan(i * 64, std::min<std::size_t>(sums.size() - i * 64, 64));
             std::uint64_t any = 0;
             for (const std::uint64_t sum : here) any |= sum;
             for (std::size_t k = 0; any != 0 && k < here.size(); ++k)
@@ -126,10 +133,10 @@ NodeRanks nodes_with_a_rest(
     const Mesh& mesh,
     const std::vector<SolidBlock>& blocks,
     const std::vector<bool>& set_aside,
+    Noticed& noticed,
     OuterFacets& found
 ) {
-    auto sums = big_zeros<std::uint64_t>(mesh.node_count());
-    std::atomic<std::uint64_t> collapsed{0};
+    ZeroedArray<std::uint64_t> sums(mesh.node_count());
     const bool is_shared = thread_count() > 1;
     for (const SolidBlock& solids : blocks) {
         const std::size_t count = solids.block->ids.size();
@@ -139,12 +146,12 @@ NodeRanks nodes_with_a_rest(
         }
         parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
             const std::array range{first, last};
-            collapsed += is_shared ? add_hashes<true>(solids, set_aside, range, sums.data())
-                                   : add_hashes<false>(solids, set_aside, range, sums.data());
+            is_shared ? add_hashes<true>(solids, set_aside, range, sums.data(), noticed)
+                      : add_hashes<false>(solids, set_aside, range, sums.data(), noticed);
         });
     }
-    found.collapsed = collapsed;
-    return marked(sums);
+    found.collapsed = noticed.collapsed;
+    return marked(sums.span());
 }
 
 /// Elements that have a marked node, next to each other.
@@ -162,17 +169,16 @@ void add_candidates_of(
 ) {
     FacetBatch batch;
     hash_facets({solids.block->type, survivors.nodes.data(), survivors.count}, FacetHashes::Corners, batch);
-    std::size_t at = 0;
+    std::size_t at = 0, end = found.size();
+    found.resize(end + survivors.count * solids.row->facet_count);
     for (std::size_t e = 0; e < survivors.count; ++e) {
         for (std::uint8_t facet = 0; facet < solids.row->facet_count; ++facet, ++at) {
             if (batch.hashes[at] == 0 || !marks.has(batch.lowest[at])) continue;
-            found.push_back(
-                {batch.hashes[at],
-                 marks(NodeIndex{batch.lowest[at]}),
-                 {survivors.positions[e], solids.index, facet}}
-            );
+            const FacetRef ref{survivors.positions[e], solids.index, facet};
+            found[end++] = {batch.hashes[at], marks(NodeIndex{batch.lowest[at]}), ref};
         }
     }
+    found.resize(end);
 }
 
 /// The facets at marked nodes of elements [first, last).
@@ -203,6 +209,7 @@ void find_candidates(
 /// Calls visit for each candidate, in element order: they are found by many threads, a window at a time.
 template <class Visit>
 void for_each_candidate(
+    const FacetTable& table,
     const NodeRanks& marks,
     const std::vector<SolidBlock>& blocks,
     const std::vector<bool>& set_aside,
@@ -220,7 +227,10 @@ void for_each_candidate(
                 );
             });
             for (std::vector<FacetCandidate>& part : found) {
-                for (const FacetCandidate& candidate : part) visit(candidate);
+                for (std::size_t i = 0; i < part.size(); ++i) {
+                    if (i + kAhead < part.size()) table.fetch(part[i + kAhead]);
+                    visit(part[i]);
+                }
                 part.clear();
             }
         }
@@ -254,14 +264,15 @@ OuterFacets find_outer_facets(const Mesh& mesh, const std::vector<bool>& set_asi
     OuterFacets found;
     const std::vector<SolidBlock> blocks = solid_blocks(mesh);
     if (blocks.empty()) return found;
-    const NodeRanks marks = nodes_with_a_rest(mesh, blocks, set_aside, found);
+    Noticed noticed;
+    const NodeRanks marks = nodes_with_a_rest(mesh, blocks, set_aside, noticed, found);
     FacetTable table(mesh, marks.count());
-    for_each_candidate(marks, blocks, set_aside, [&](const FacetCandidate& candidate) {
+    for_each_candidate(table, marks, blocks, set_aside, [&](const FacetCandidate& candidate) {
         table.add(candidate);
     });
     if (table.special_count() > 0) {
         std::vector<FacetTable::SpecialOwner> owners;
-        for_each_candidate(marks, blocks, set_aside, [&](const FacetCandidate& candidate) {
+        for_each_candidate(table, marks, blocks, set_aside, [&](const FacetCandidate& candidate) {
             const std::uint64_t place = table.special_place(candidate);
             if (place != FacetTable::kNotSpecial) owners.push_back({place, candidate.ref});
         });
@@ -270,7 +281,7 @@ OuterFacets find_outer_facets(const Mesh& mesh, const std::vector<bool>& set_asi
     if (!found.duplicates) {
         collect(blocks, table, found);
         // A quad and the two triangles before it are three facets.
-        found.unmatched += 3 * count_quads_facing_triangles(mesh, found.outer);
+        found.unmatched += 3 * count_quads_facing_triangles(mesh, found.outer, noticed.may_repeat);
     }
     found.inner = found.in - found.outer.size() - found.many_owners - found.collapsed - found.of_set_aside;
     return found;

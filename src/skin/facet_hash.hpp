@@ -150,6 +150,15 @@ using ElementKeys = std::array<std::uint64_t, kMaxElementNodes>;
     return repeats ? of(outline_of(row, nodes)) : quad(n, k, middles);
 }
 
+/// Whether an element may have a corner twice on a facet.
+[[gnu::always_inline]] inline bool repeats(const ElementRow& row, std::span<const NodeIndex> nodes) noexcept {
+    bool any = false;
+    for (std::size_t i = 0; i < row.corner_count; ++i) {
+        for (std::size_t k = i + 1; k < row.corner_count; ++k) any = any || nodes[i] == nodes[k];
+    }
+    return any;
+}
+
 /// Any facet `row` of an element.
 inline FacetHash of(const FacetRow& row, std::span<const NodeIndex> nodes) noexcept {
     return of(outline_of(row, nodes));

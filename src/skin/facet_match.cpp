@@ -25,28 +25,23 @@ FacetKey sorted_corners(const Outline& outline) noexcept {
     return key;
 }
 
-enum class Meeting : std::uint8_t {
-    OtherFacet,
-    Opposite,  ///< The same nodes, the other way round.
-    Unlike,    ///< The same corners.
-};
-
-/// The same nodes in opposite order, as the elements list them.
+/// Whether facet b, of as many corners, runs through the nodes of facet a backwards, as their elements list
+/// them.
+template <std::size_t kCorners>
 bool is_mirrored(
-    const FacetRow& row_a, std::span<const NodeIndex> a, const FacetRow& row_b, std::span<const NodeIndex> b
+    const FacetRow& row_a, const NodeIndex* a, const FacetRow& row_b, const NodeIndex* b, bool quadratic
 ) {
-    if (row_a.type != row_b.type) return false;
-    const ElementRow& shape = element_row(row_a.type);
-    const std::size_t count = shape.corner_count;
     std::size_t start = 0;
-    while (start < count && b[row_b.nodes[start]] != a[row_a.nodes[0]]) ++start;
-    if (start == count) return false;
-    for (std::size_t i = 0; i < count; ++i) {
-        // Corner start - i; the side after i lies between start - i - 1 and start - i.
-        const std::size_t corner = start >= i ? start - i : start + count - i;
-        const std::size_t side = corner == 0 ? count - 1 : corner - 1;
-        if (a[row_a.nodes[i]] != b[row_b.nodes[corner]]) return false;
-        if (shape.order == 2 && a[row_a.nodes[count + i]] != b[row_b.nodes[count + side]]) return false;
+    while (start < kCorners && b[row_b.nodes[start]] != a[row_a.nodes[0]]) ++start;
+    if (start == kCorners) return false;
+    for (std::size_t i = 1; i < kCorners; ++i) {
+        if (a[row_a.nodes[i]] != b[row_b.nodes[(start + kCorners - i) % kCorners]]) return false;
+    }
+    if (!quadratic) return true;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+        // Side i runs from corner start - i to the one before it.
+        const std::size_t side = (start + 2 * kCorners - i - 1) % kCorners;
+        if (a[row_a.nodes[kCorners + i]] != b[row_b.nodes[kCorners + side]]) return false;
     }
     return true;
 }
@@ -59,15 +54,6 @@ bool is_reversed(const Outline& a, const Outline& b) {
         if (a.corners[i] != b.corners[(start + b.count - i) % b.count]) return false;
     }
     return true;
-}
-
-Meeting meeting_of(const Mesh& mesh, FacetRef a, FacetRef b) {
-    const FacetRow& row_a = facets_of(mesh.blocks[a.block].type)[a.facet];
-    const FacetRow& row_b = facets_of(mesh.blocks[b.block].type)[b.facet];
-    if (is_mirrored(row_a, element_nodes(mesh, a), row_b, element_nodes(mesh, b))) return Meeting::Opposite;
-    const Outline first = outline_of(mesh, a), second = outline_of(mesh, b);
-    if (sorted_corners(first) != sorted_corners(second)) return Meeting::OtherFacet;
-    return is_reversed(first, second) && same_middles(first, second) ? Meeting::Opposite : Meeting::Unlike;
 }
 
 /// Whether two of the owners are different elements with the same corners.
@@ -113,14 +99,10 @@ bool judge(const Mesh& mesh, std::span<const FacetRef> owners, OuterFacets& foun
 }
 
 /// Of an outer facet.
-bool has_three_corners(const Mesh& mesh, FacetRef ref) {
-    const auto corners = facet_corners(facets_of(mesh.blocks[ref.block].type)[ref.facet]);
-    if (corners.size() == 3) return true;
-    const auto nodes = element_nodes(mesh, ref);
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (nodes[corners[i]] == nodes[corners[(i + 1) % 4]]) return true;
-    }
-    return false;
+bool has_three_corners(const Mesh& mesh, FacetRef ref, bool may_repeat) {
+    const FacetRow& row = facets_of(mesh.blocks[ref.block].type)[ref.facet];
+    if (row.type == ElementType::Tri3 || row.type == ElementType::Tri6) return true;
+    return may_repeat && outline_of(mesh, ref).count == 3;
 }
 
 /// Corners of outer triangles, to be asked for.
@@ -139,14 +121,32 @@ private:
 
 }  // namespace
 
-FacetTable::FacetTable(const Mesh& mesh, std::size_t buckets) : mesh_(mesh), spill_(64) {
+FacetTable::FacetTable(const Mesh& mesh, std::size_t buckets)
+    : mesh_(mesh), buckets_(buckets), spill_(64), outer_bits_(mesh.element_count()) {
     std::size_t elements = 0;
     for (const ElementBlock& block : mesh.blocks) {
-        block_first_.push_back(elements);
+        blocks_.push_back(
+            {elements, block.nodes.data(), element_row(block.type).node_count, facets_of(block.type)}
+        );
         elements += block.ids.size();
     }
-    outer_bits_ = big_zeros<std::uint8_t>(elements);
-    buckets_ = big_zeros<Bucket>(buckets);
+}
+
+FacetTable::Meeting FacetTable::meeting_of(FacetRef a, FacetRef b) const {
+    const Block &block_a = blocks_[a.block], &block_b = blocks_[b.block];
+    const FacetRow &row_a = block_a.facets[a.facet], &row_b = block_b.facets[b.facet];
+    const NodeIndex* nodes_a = block_a.nodes + a.position * block_a.width;
+    const NodeIndex* nodes_b = block_b.nodes + b.position * block_b.width;
+    if (row_a.type == row_b.type) {
+        const bool is_triangle = row_a.type == ElementType::Tri3 || row_a.type == ElementType::Tri6;
+        const bool is_quadratic = row_a.type != ElementType::Tri3 && row_a.type != ElementType::Quad4;
+        if (is_triangle ? is_mirrored<3>(row_a, nodes_a, row_b, nodes_b, is_quadratic)
+                        : is_mirrored<4>(row_a, nodes_a, row_b, nodes_b, is_quadratic))
+            return Meeting::Opposite;
+    }
+    const Outline first = outline_of(mesh_, a), second = outline_of(mesh_, b);
+    if (sorted_corners(first) != sorted_corners(second)) return Meeting::OtherFacet;
+    return is_reversed(first, second) && same_middles(first, second) ? Meeting::Opposite : Meeting::Unlike;
 }
 
 void FacetTable::grow_spill() {
@@ -174,7 +174,7 @@ void FacetTable::visit_slots(const FacetCandidate& candidate, Visit visit) {
 /// Whether the slot is the candidate's facet; then what became of it.
 bool FacetTable::meets(Slot& slot, const FacetCandidate& candidate) {
     if (slot.corners != candidate.corners) return false;
-    const Meeting meeting = meeting_of(mesh_, slot.first_owner(), candidate.ref);
+    const Meeting meeting = meeting_of(slot.first_owner(), candidate.ref);
     if (meeting == Meeting::OtherFacet) return false;
     const bool is_second = slot.state == State::Outer;
     if (is_second) {
@@ -210,7 +210,7 @@ std::uint64_t FacetTable::special_place(const FacetCandidate& candidate) {
     visit_slots(candidate, [&](const Slot& slot, bool is_spill) {
         if (slot.state == State::Free) return true;
         if (slot.corners != candidate.corners ||
-            meeting_of(mesh_, slot.first_owner(), candidate.ref) == Meeting::OtherFacet)
+            meeting_of(slot.first_owner(), candidate.ref) == Meeting::OtherFacet)
             return false;
         if (slot.state == State::Special) {
             place = is_spill ? buckets_.size() * 4 + static_cast<std::size_t>(&slot - spill_.data())
@@ -238,8 +238,10 @@ void FacetTable::judge_specials(std::vector<SpecialOwner> owners, OuterFacets& f
     }
 }
 
-std::uint64_t count_quads_facing_triangles(const Mesh& mesh, std::span<const FacetRef> outer) {
-    const auto is_triangle = [&](FacetRef ref) { return has_three_corners(mesh, ref); };
+std::uint64_t count_quads_facing_triangles(
+    const Mesh& mesh, std::span<const FacetRef> outer, bool may_repeat
+) {
+    const auto is_triangle = [&](FacetRef ref) { return has_three_corners(mesh, ref, may_repeat); };
     const auto triangle_count = static_cast<std::size_t>(std::ranges::count_if(outer, is_triangle));
     if (triangle_count == 0 || triangle_count == outer.size()) return 0;
     std::vector<FacetKey> triangles;

@@ -2,6 +2,7 @@
 // The exact half of the search for outer facets: candidates matched by their corners.
 #pragma once
 
+#include "base/huge_pages.hpp"
 #include "skin/facet_cancellation.hpp"
 #include "skin/outline.hpp"
 
@@ -29,7 +30,9 @@ public:
     std::uint64_t special_count() const { return specials_; }
 
     /// Per element of all blocks, which facets are outer: bit i for facet i.
-    std::span<const std::uint8_t> outer_facets() const { return outer_bits_; }
+    std::span<const std::uint8_t> outer_facets() const { return outer_bits_.span(); }
+    /// Asks memory for what add() will need.
+    void fetch(const FacetCandidate& candidate) const { __builtin_prefetch(&buckets_[candidate.bucket]); }
 
     /// The place of a facet whose owners do not cancel (three, two the same way round, unequal middles), else
     /// kNotSpecial. When all were added.
@@ -49,6 +52,12 @@ private:
         Inner,
         Special
     };
+    enum class Meeting : std::uint8_t {
+        OtherFacet,
+        Opposite,  ///< The same nodes, the other way round.
+        Unlike,    ///< The same corners.
+    };
+    /// All zero: free.
     struct Slot {
         std::uint64_t corners = 0;
         std::uint32_t position = 0;  ///< Of the first owner.
@@ -63,23 +72,37 @@ private:
         std::array<Slot, 4> slots;
     };
 
-    std::size_t index_of(FacetRef ref) const { return block_first_[ref.block] + ref.position; }
-    void flip_bit(FacetRef ref) { outer_bits_[index_of(ref)] ^= static_cast<std::uint8_t>(1U << ref.facet); }
+    /// What is asked of a block again and again.
+    struct Block {
+        std::size_t first_element;
+        const NodeIndex* nodes;
+        std::size_t width;
+        std::span<const FacetRow> facets;
+    };
+
+    void flip_bit(FacetRef ref) {
+        outer_bits_[blocks_[ref.block].first_element + ref.position] ^=
+            static_cast<std::uint8_t>(1U << ref.facet);
+    }
+    Meeting meeting_of(FacetRef a, FacetRef b) const;
     bool meets(Slot& slot, const FacetCandidate& candidate);
     void grow_spill();
     template <class Visit>
     void visit_slots(const FacetCandidate& candidate, Visit visit);
 
     const Mesh& mesh_;
-    std::vector<std::size_t> block_first_;
-    std::vector<Bucket> buckets_;
+    std::vector<Block> blocks_;
+    ZeroedArray<Bucket> buckets_;
     std::vector<Slot> spill_;
     std::size_t spilled_ = 0;
-    std::vector<std::uint8_t> outer_bits_;
+    ZeroedArray<std::uint8_t> outer_bits_;  ///< Per element of all blocks.
     std::uint64_t outer_ = 0, specials_ = 0;
 };
 
-/// Quads that two outer triangles with the same corners lie against.
-std::uint64_t count_quads_facing_triangles(const Mesh& mesh, std::span<const FacetRef> outer);
+/// Quads that two outer triangles with the same corners lie against. `may_repeat`: corners of elements may
+/// repeat, so that a quad may be a triangle.
+std::uint64_t count_quads_facing_triangles(
+    const Mesh& mesh, std::span<const FacetRef> outer, bool may_repeat
+);
 
 }  // namespace feelem
