@@ -26,6 +26,7 @@ macro(feelem_dependencies)
     endif()
     if(FEELEM_BUILD_BENCH)
         feelem_need(benchmark libbenchmark-dev CONFIG)
+        feelem_need(zstd libzstd-dev CONFIG)
     endif()
 endmacro()
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -35,11 +34,6 @@ struct ArraySpec {
     std::optional<gltf::Steps> steps{};  ///< Floats that stand on these steps are stored as their numbers.
 };
 
-/// The nearest multiple of a power of two; the value itself where float32 is no finer.
-inline float on_grid(double value, float grid) {
-    return static_cast<float>(grid > 0 ? std::nearbyint(value / grid) * grid : value);
-}
-
 /// One array after the other, into any buffer of the document. Memory: one block, or one array when packed.
 class ArrayWriter {
 public:
@@ -62,7 +56,7 @@ public:
         for (std::uint64_t i = 0; i < spec.count; ++i) {
             fill(static_cast<std::size_t>(i), row.data());
             for (unsigned c = 0; c < spec.components; ++c) {
-                if (spec.grid > 0) row[c] = on_grid(static_cast<double>(row[c]), spec.grid);
+                if (spec.grid > 0) row[c] = gltf::on_grid(static_cast<double>(row[c]), spec.grid);
                 // Bounds count -0 as 0: both compare equal, and JSON readers differ on -0.
                 low_[c] = std::min(low_[c], row[c]);
                 high_[c] = std::max(high_[c], row[c]);

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "scene/packed_arrays.hpp"
+#include "scene/steps.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,14 +21,6 @@ inline constexpr int kNearest = 9728, kLinear = 9729;
 
 using Attributes = std::vector<std::pair<std::string, int>>;  ///< Semantic -> accessor.
 
-/// A value is offset + step * number, computed in double and rounded once to float32. Numbers are signed, of
-/// 32 bits; glTF, which has no such type, sees their bits as unsigned ones.
-struct Steps {
-    double offset = 0, step = 0;
-
-    float value(double number) const { return static_cast<float>(offset + step * number); }
-    double number(double value) const { return std::nearbyint((value - offset) / step); }
-};
 struct Buffer {
     std::string uri;  ///< Empty: the chunk of the .glb.
     std::uint64_t bytes = 0;

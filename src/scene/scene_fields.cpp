@@ -286,25 +286,10 @@ std::vector<AttributeSlot> attribute_slots(const SceneResult& result, const std:
     return slots;
 }
 
-/// At most twice the bound apart, a little less for the rounding to float32. Both ends of the range are
-/// steps, so that nothing lies beyond them that did not: counted from the end nearer to zero, which keeps the
-/// other one exact too.
-std::optional<gltf::Steps> steps_of(const SceneResult& result, double bound) {
-    if (!(bound > 0) || !result.range) return std::nullopt;
-    const double low = static_cast<double>((*result.range)[0]),
-                 high = static_cast<double>((*result.range)[1]);
-    const double rounding = std::max(std::abs(low), std::abs(high)) * 0x1p-23;
-    const double width = 2 * (bound * (high - low) - rounding);
-    // Steps hardly wider than float32's own save nothing.
-    if (!(width > 8 * rounding) || !std::isfinite(width)) return std::nullopt;
-    const double step = (high - low) / std::ceil((high - low) / width);
-    if (std::abs(low) <= std::abs(high)) return gltf::Steps{low, step};
-    return gltf::Steps{high, -step};
-}
-
 void write_fields(SceneBuild& build, SceneFiles& files) {
+    const double bound = build.options.compress ? build.options.bound : 0;
     for (const SceneResult& result : build.contents.results)
-        build.steps.push_back(steps_of(result, build.options.compress ? build.options.bound : 0));
+        build.steps.push_back(result.range ? gltf::steps_within(*result.range, bound) : std::nullopt);
     const bool embed = files.is_glb && bytes_aside(build) < build.options.embed_limit;
     const std::vector<SceneResult>& results = build.contents.results;
     build.written.resize(results.size());

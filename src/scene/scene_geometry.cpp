@@ -82,13 +82,12 @@ void choose_origin(SceneBuild& build, Diagnostics& diagnostics) {
 }
 
 float shifted(const SceneBuild& build, std::size_t vertex, std::size_t axis) {
-    return on_grid(build.contents.surface->positions[vertex][axis] - build.origin[axis], build.grid);
+    return gltf::on_grid(build.contents.surface->positions[vertex][axis] - build.origin[axis], build.grid);
 }
 
-/// The power of two that divides the largest side into 65,536 pieces or up to twice as many.
 void choose_grid(SceneBuild& build) {
     if (!build.options.compress || !(build.options.bound > 0) || !(build.box.largest() > 0)) return;
-    build.grid = static_cast<float>(std::exp2(std::floor(std::log2(build.box.largest() / 65536))));
+    build.grid = gltf::grid_of(build.box.largest());
 }
 
 std::int64_t node_id(const SceneBuild& build, std::size_t vertex) {
