@@ -46,8 +46,16 @@ public:
             draw_finely(facet, at, vertices);
             return;
         }
-        for (const FacetTriangle& t : pattern_of(outline))
-            add_triangle(facet, vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+        const auto pattern = pattern_of(outline);
+        std::array<std::array<VertexIndex, 3>, 8> triangles;
+        for (std::size_t i = 0; i < pattern.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) triangles[i][k] = VertexIndex{vertices[pattern[i][k]]};
+        }
+        const auto count = static_cast<std::ptrdiff_t>(pattern.size());
+        surface_.triangles.insert(surface_.triangles.end(), triangles.begin(), triangles.begin() + count);
+        surface_.triangle_element.insert(
+            surface_.triangle_element.end(), pattern.size(), drawn_.elements[facet]
+        );
     }
 
     /// Segments of a side, through its middle node if it has one.
@@ -192,10 +200,13 @@ private:
              static_cast<std::uint32_t>(surface_.blend_sources.size()),
              static_cast<std::uint32_t>(blend.count)}
         );
-        for (std::size_t i = 0; i < blend.count; ++i) {
-            surface_.blend_sources.push_back(VertexIndex{vertices[blend.points[i]]});
-            surface_.blend_weights.push_back(blend.weights[i]);
-        }
+        std::array<VertexIndex, kFacetPoints> sources{};
+        for (std::size_t i = 0; i < blend.count; ++i) sources[i] = VertexIndex{vertices[blend.points[i]]};
+        const auto count = static_cast<std::ptrdiff_t>(blend.count);
+        surface_.blend_sources.insert(surface_.blend_sources.end(), sources.begin(), sources.begin() + count);
+        surface_.blend_weights.insert(
+            surface_.blend_weights.end(), blend.weights.begin(), blend.weights.begin() + count
+        );
     }
 
     const Mesh& mesh_;
