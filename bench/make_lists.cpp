@@ -130,5 +130,6 @@ int main(int argc, char** argv) {
     write_values(path_of(folder, "PRNSOL_U.lis"), block, kDisplacement, 4);
     write_values(path_of(folder, "PRNSOL_S.lis"), block, kStress, 6);
     Writer types(path_of(folder, "ETLIST.lis").c_str());
+    types.line("\n LIST ELEMENT TYPES FROM       1 TO       1 BY       1\n");
     types.line(" ELEMENT TYPE         1 IS SOLID185     3-D 8-NODE STRUCTURAL SOLID");
 }

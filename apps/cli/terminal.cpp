@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -19,6 +20,14 @@ extern "C" void note_interrupt(int) {
     interrupted = 1;
 }
 
+/// Bytes of memory that no file stands behind: what the program itself holds.
+std::size_t anonymous_memory() {
+    std::ifstream pages("/proc/self/statm");
+    std::size_t all = 0, resident = 0, of_files = 0;
+    if (!(pages >> all >> resident >> of_files)) return 0;
+    return (resident - std::min(resident, of_files)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
 double seconds_now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -28,10 +37,23 @@ double seconds_now() {
 Terminal::Terminal(bool verbose) : verbose_(verbose), has_bar_(!verbose && isatty(STDERR_FILENO) == 1) {
     std::signal(SIGINT, note_interrupt);
     std::signal(SIGTERM, note_interrupt);
+    if (verbose_) watcher_ = std::thread([this] { watch_memory(); });
 }
 
 Terminal::~Terminal() {
+    stop_watching_ = true;
+    if (watcher_.joinable()) watcher_.join();
     finish();
+}
+
+void Terminal::watch_memory() {
+    constexpr std::chrono::milliseconds kPause{2};
+    while (!stop_watching_) {
+        const std::size_t now = anonymous_memory();
+        std::size_t most = most_anonymous_;
+        while (now > most && !most_anonymous_.compare_exchange_weak(most, now)) {}
+        std::this_thread::sleep_for(kPause);
+    }
 }
 
 Progress Terminal::progress() {
@@ -59,13 +81,15 @@ void Terminal::show(std::string_view stage, double fraction) {
 
 void Terminal::end_stage() {
     if (stage_.empty()) return;
+    constexpr double kMiB = 1024.0 * 1024.0;
     if (verbose_) {
         fmt::print(
             stderr,
-            "{:<10} {:9.3f} s  peak {:9.1f} MiB\n",
+            "{:<10} {:9.3f} s  peak {:9.1f} MiB  anonymous {:9.1f} MiB\n",
             stage_,
             seconds_now() - stage_began_,
-            static_cast<double>(peak_memory()) / (1024.0 * 1024.0)
+            static_cast<double>(peak_memory()) / kMiB,
+            static_cast<double>(std::max(most_anonymous_.exchange(0), anonymous_memory())) / kMiB
         );
     }
     stage_.clear();

@@ -4,8 +4,11 @@
 
 #include "feelem/convert.hpp"
 
+#include <atomic>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace feelem::cli {
 
@@ -25,12 +28,16 @@ public:
 private:
     void show(std::string_view stage, double fraction);
     void end_stage();
+    void watch_memory();
 
     bool verbose_ = false;
     bool has_bar_ = false;
     int shown_percent_ = -1;
     std::string stage_;
     double stage_began_ = 0;
+    std::atomic<std::size_t> most_anonymous_ = 0;  ///< Bytes, the most that was seen in this stage.
+    std::atomic<bool> stop_watching_ = false;
+    std::thread watcher_;  ///< With --verbose only: the system keeps no peak of this memory.
 };
 
 /// True after Ctrl-C or a polite kill, from the first Terminal on.

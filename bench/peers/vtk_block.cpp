@@ -21,6 +21,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVersion.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -142,18 +144,36 @@ void tell_skin(const char* path) {
     );
 }
 
+/// In the words of bench_read_model.
 void read(const char* path) {
     vtkNew<vtkXMLUnstructuredGridReader> reader;
     open(reader, path);
+    const std::clock_t start = std::clock();
     reader->Update();
+    const double cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     vtkUnstructuredGrid* grid = reader->GetOutput();
-    double sum = 0;
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i) sum += grid->GetPoint(i)[0];
+    std::array<double, 3> sum{};
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += grid->GetPoint(i)[axis];
+    }
+    vtkNew<vtkIdList> corners;
+    vtkIdType corner_sum = 0;
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell) {
+        grid->GetCellPoints(cell, corners);
+        for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i) corner_sum += corners->GetId(i) + 1;
+    }
     fmt::print(
-        "{{\"nodes\": {}, \"elements\": {}, \"sum_of_x\": {:.12g}}}\n",
+        "{{\"open_cpu\": {:.5f}, \"load_cpu\": 0, \"nodes\": {}, \"elements\": {}, \"corners\": {}, \"x\": "
+        "{:.17g}, "
+        "\"y\": {:.17g}, \"z\": {:.17g}, \"version\": \"{}\"}}\n",
+        cpu,
         grid->GetNumberOfPoints(),
         grid->GetNumberOfCells(),
-        sum
+        corner_sum,
+        sum[0],
+        sum[1],
+        sum[2],
+        vtkVersion::GetVTKVersion()
     );
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/ansys/element_adder.hpp"
 
+#include "model/collapse.hpp"
+#include "model/element_table.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,11 +47,24 @@ void ElementAdder::add(const Input& input, const ElementRowIds& row) {
         leave_out(row, type, where);
         return;
     }
+    if (add_if_whole(row, *shape)) return;
     if (row.nodes.size() > shape->nodes) warn_of_extra_nodes(row, type, where);
     for (std::size_t i = 0; i < shape->nodes; ++i) nodes_[i] = NodeId{row.nodes[i]};
     builder_.add_element(
         ElementId{row.id}, shape->type, std::span(nodes_).first(shape->nodes), part_of(row.material), where
     );
+}
+
+/// Nearly every row: all nodes there and different.
+bool ElementAdder::add_if_whole(const ElementRowIds& row, const RowShape& shape) {
+    const ElementRow& element = element_row(shape.type);
+    if (shape.nodes != row.nodes.size() || shape.nodes != element.node_count) return false;
+    const auto found = std::span(found_).first(shape.nodes);
+    if (!builder_.nodes().find(row.nodes, found.data())) return false;
+    if (element.dimension >= 2 && !all_differ(found.first(element.corner_count))) return false;
+    const ElementId id{row.id};
+    builder_.add_whole_elements(shape.type, part_of(row.material), std::span(&id, 1), found);
+    return true;
 }
 
 void ElementAdder::add_named(

@@ -106,6 +106,7 @@ public:
 
 private:
     PartIndex part_of(std::int64_t material);
+    bool add_if_whole(const ElementRowIds& row, const RowShape& shape);
     void note_duplicate(const Input& input, std::size_t offset);
     void leave_out(const ElementRowIds& row, const TypeShape& type, const MeshBuilder::Where& where);
     void warn_of_extra_nodes(
@@ -117,6 +118,7 @@ private:
     Diagnostics& diagnostics_;
     SeenIds seen_;
     std::array<NodeId, kMaxElementNodes> nodes_{};
+    std::array<NodeIndex, kMaxElementNodes> found_{};
     std::int64_t last_type_ = -1;
     const TypeShape* type_ = nullptr;
     std::string body_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Element rows: six numbers and the node ids, which go on in the next lines.
+#include "base/eight_digits.hpp"
 #include "read/ansys/list_rows.hpp"
 #include "read/ansys/list_text.hpp"
 
@@ -26,11 +27,41 @@ struct Numbers {
     std::array<std::int64_t, kAttributes + kMostIds> values{};
     std::array<std::size_t, kAttributes + kMostIds> ends{};  ///< Column behind each.
     std::size_t count = 0;
+    std::size_t length = 0;  ///< Of the line.
 };
+
+/// The numbers of a line as long as the one before, when they end in the same columns, with a blank before
+/// each. False, and nothing is changed that counts, when they do not.
+bool read_alike(std::string_view line, Numbers& numbers) {
+    if (line.size() != numbers.length || numbers.count == 0 || numbers.ends[0] < 8) return false;
+    constexpr std::uint64_t kBlanks = 0x2020202020202020;
+    std::array<std::uint32_t, kAttributes + kMostIds> values;
+    std::uint64_t bad = 0;
+    std::size_t from = 0;  // Behind the number before.
+    for (std::size_t i = 0; i < numbers.count; ++i) {
+        const std::size_t end = numbers.ends[i];
+        std::uint64_t word = load8(line.data() + end - 8);
+        if (end - from < 8) {
+            const std::size_t foreign = 8 * (8 - (end - from));
+            word = (word >> foreign << foreign) | (kBlanks >> (64 - foreign));
+        }
+        bad |= static_cast<std::uint64_t>(line[from] != ' ');
+        for (; from + 8 < end; ++from) bad |= static_cast<std::uint64_t>(line[from] != ' ');
+        values[i] = eight_columns(word, bad);
+        from = end;
+    }
+    for (; from < line.size(); ++from)
+        bad |= static_cast<std::uint64_t>(line[from] != ' ' && line[from] != '\r');
+    if (bad != 0) return false;
+    std::copy_n(values.begin(), numbers.count, numbers.values.begin());
+    return true;
+}
 
 /// The whole numbers of a line from a column on. False when something else stands between them.
 bool read_numbers(std::string_view line, std::size_t first, Numbers& numbers) {
+    if (first == 0 && read_alike(line, numbers)) return true;
     std::size_t count = 0;
+    numbers.length = 0;
     Cursor cursor(line);
     cursor.at += std::min(first, line.size());
     while (!cursor.at_end()) {
@@ -42,6 +73,7 @@ bool read_numbers(std::string_view line, std::size_t first, Numbers& numbers) {
         numbers.ends[count++] = static_cast<std::size_t>(cursor.at - line.data());
     }
     numbers.count = count;
+    numbers.length = first == 0 ? line.size() : 0;
     return true;
 }
 
@@ -72,19 +104,21 @@ public:
     /// The first line of an element.
     bool begin(std::string_view line) {
         count = 0;
-        const bool plain = read_numbers(line, 0, numbers_) && numbers_.count >= kAttributes;
+        Numbers& numbers = numbers_[0];
+        const bool plain = read_numbers(line, 0, numbers) && numbers.count >= kAttributes;
         const bool in_columns = (!plain || has_touching_attributes(line)) && attributes_by_columns(line);
         if (!plain && !in_columns) return false;
         if (!in_columns) {
-            std::copy_n(numbers_.values.begin(), kAttributes, attributes.begin());
-            return add(line, kAttributes);
+            std::copy_n(numbers.values.begin(), kAttributes, attributes.begin());
+            return add(line, numbers, kAttributes);
         }
-        return read_numbers(line, kFirstId - 1, numbers_) ? add(line, 0) : add_by_width(line);
+        return read_numbers(line, kFirstId - 1, numbers) ? add(line, numbers, 0) : add_by_width(line);
     }
 
-    /// A further line of it.
-    bool go_on(std::string_view line) {
-        return read_numbers(line, 0, numbers_) ? add(line, 0) : add_by_width(line);
+    /// A further line of it, the `which`-th from 1.
+    bool go_on(std::string_view line, std::size_t which) {
+        Numbers& numbers = numbers_[std::min(which, numbers_.size() - 1)];
+        return read_numbers(line, 0, numbers) ? add(line, numbers, 0) : add_by_width(line);
     }
 
 private:
@@ -106,11 +140,11 @@ private:
         return true;
     }
 
-    bool add(std::string_view line, std::size_t first) {
-        if (has_touching_ids(line, numbers_, first)) return add_by_width(line);
-        for (std::size_t i = first; i < numbers_.count; ++i) {
+    bool add(std::string_view line, const Numbers& numbers, std::size_t first) {
+        if (has_touching_ids(line, numbers, first)) return add_by_width(line);
+        for (std::size_t i = first; i < numbers.count; ++i) {
             if (count == ids.size()) return false;
-            ids[count++] = numbers_.values[i];
+            ids[count++] = numbers.values[i];
         }
         return true;
     }
@@ -125,7 +159,8 @@ private:
         return true;
     }
 
-    Numbers numbers_;
+    std::array<Numbers, 4>
+        numbers_;  ///< Of the first line and of further ones, each like the same of the element before.
 };
 
 std::size_t indent_of(std::string_view line) {
@@ -208,7 +243,7 @@ void for_each_element(
             }
             usual = line;
             if (!further) close(false);
-            if (further ? !parser.go_on(line) : !parser.begin(line))
+            if (further ? !parser.go_on(line, line_of_element) : !parser.begin(line))
                 throw_bad_element(file, lines.begin(), line);
             if (!further) row.offset = lines.begin();
             ++line_of_element;

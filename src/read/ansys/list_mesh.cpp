@@ -182,16 +182,20 @@ Mesh build_mesh(
 
     MeshBuilder builder(diagnostics);
     builder.reserve_nodes(nodes.ids.size());
-    for (std::size_t i = 0; i < nodes.ids.size(); ++i) {
-        if (nodes.angles.empty())
-            builder.add_node(nodes.ids[i], nodes.positions[i]);
-        else
-            builder.add_node(nodes.ids[i], nodes.positions[i], nodes.angles[i]);
-    }
+    if (nodes.angles.empty()) builder.add_nodes(nodes.ids, nodes.positions);
+    for (std::size_t i = 0; i < nodes.angles.size(); ++i)
+        builder.add_node(nodes.ids[i], nodes.positions[i], nodes.angles[i]);
     if (const auto unit = length_unit(nodes.length_unit)) builder.set_length_unit(*unit);
     nodes = {};
     builder.seal_nodes();
 
+    std::size_t elements = 0;
+    for (const ListFile& file : files) {
+        for (const List& list : file.lists) {
+            if (list.kind == ListKind::Elements && list.has_nodes) elements += list.rows;
+        }
+    }
+    builder.expect_elements(elements);
     ElementAdder adder(builder, std::move(types), diagnostics);
     for (const ListFile& file : files) {
         for (const List& list : file.lists) {

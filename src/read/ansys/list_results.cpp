@@ -24,6 +24,10 @@ std::optional<PartIndex> find_part(const Mesh& mesh, std::string_view name) {
 /// Per node: whether elements use it as a mid-side node only.
 std::vector<bool> midside_nodes(const Mesh& mesh) {
     std::vector<bool> middle(mesh.node_count());
+    const bool has_middles = std::ranges::any_of(mesh.blocks, [](const ElementBlock& block) {
+        return element_row(block.type).node_count > element_row(block.type).corner_count;
+    });
+    if (!has_middles) return middle;
     for (const bool corners : {false, true}) {
         for (const ElementBlock& block : mesh.blocks) {
             const ElementRow& row = element_row(block.type);

@@ -3,6 +3,7 @@
 // with holes or overflowed columns is cut by the column width.
 #include "read/ansys/list_rows.hpp"
 
+#include "base/plain_real.hpp"
 #include "read/ansys/list_text.hpp"
 
 #include "feelem/error.hpp"
@@ -14,6 +15,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace feelem::ansys {
 namespace {
@@ -82,6 +84,118 @@ bool separates(std::string_view line, std::size_t boundary) {
     return !(in_number(line[boundary - 1]) && in_number(line[boundary]));
 }
 
+/// The rows of a run, one line after the other: those that look as solvers print them at once, others by the
+/// line.
+class RowCursor {
+public:
+    RowCursor(const ListFile& file, TextRange run)
+        : text_(file.input.text()), at_(run.begin), end_(run.end), line_end_(file.line_end) {}
+
+    bool at_end() const { return at_ >= end_; }
+    std::size_t at() const { return at_; }
+    /// Where a plain row may be looked for; null too near to the end of the text.
+    const char* plain_row(std::size_t numbers) const {
+        const std::size_t reach = (numbers + 1) * static_cast<std::size_t>(kPlainReach);
+        return text_.size() - at_ > reach ? text_.data() + at_ : nullptr;
+    }
+    const char* text_end() const { return text_.data() + text_.size(); }
+    /// Whether nothing but blanks and the line's end follows; then moves to the next line. `length`: of this
+    /// one.
+    bool finish_row(const char* at, std::size_t& length) {
+        at = behind_blanks(at, text_end());
+        const char* last = at;
+        if (at != text_end() && *at == '\r' && line_end_ == '\n') ++at;
+        if (at == text_end() || *at != line_end_) return false;
+        length = static_cast<std::size_t>(last - text_.data()) - at_;
+        at_ = static_cast<std::size_t>(at - text_.data()) + 1;
+        return true;
+    }
+    /// The line here; moves to the next one.
+    Lines line() {
+        Lines lines(text_, at_, end_, line_end_);
+        lines.next();
+        at_ = lines.end();
+        return lines;
+    }
+
+private:
+    std::string_view text_;
+    std::size_t at_;
+    std::size_t end_;
+    char line_end_;
+};
+
+/// Blanks, an id, and something that can follow it.
+bool scan_plain_id(const char*& at, const char* end, std::int64_t& id) {
+    at = behind_blanks(at, end);
+    return end - at > kPlainReach && scan_plain_integer(at, id) && id != 0 && (*at == ' ' || *at == '-');
+}
+
+/// Numbers of a row, each looked for where that of the row before made room for it, so that none waits for
+/// the end of the one before. The guess decides nothing: between two numbers that are taken stand only
+/// blanks.
+template <class Real>
+class PlainColumns {
+public:
+    explicit PlainColumns(std::size_t count) : rooms_(count), ends_(count) {}
+
+    /// Blanks and a number for each of `out`, and moves behind the last.
+    bool scan(const char*& at, const char* end, std::span<Real> out) {
+        if (end - at <= static_cast<std::ptrdiff_t>(rooms_.empty() ? 0 : rooms_.back()) + 2 * kPlainReach)
+            return false;
+        if (known_ && scan_in_rooms(at, out)) return true;
+        return scan_in_turn(at, end, out);
+    }
+
+private:
+    static constexpr std::ptrdiff_t kBlanksOfG = 4;  ///< Where no exponent stands (Fortran's G).
+
+    bool scan_in_rooms(const char*& at, std::span<Real> out) {
+        bool found = true;
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const char* from = at + rooms_[i];
+            from += blanks_at(from);
+            found = found & scan_plain_real(from, out[i]);  // NOLINT: no branch between two numbers
+            ends_[i] = static_cast<std::uint32_t>(from - at);
+        }
+        if (!found) return false;
+        for (std::size_t i = 1; i < out.size(); ++i) {
+            const char* gap = at + ends_[i - 1];
+            const char* room = at + rooms_[i];
+            if (gap == room || (room - gap == kBlanksOfG && blanks_at(gap) >= kBlanksOfG)) continue;
+            if (gap > room || behind_blanks(gap, room) != room) return false;
+        }
+        at += ends_.back();
+        return true;
+    }
+
+    bool scan_in_turn(const char*& at, const char* end, std::span<Real> out) {
+        const char* row = at;
+        known_ = false;
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const char* room = at;
+            at = behind_blanks(at, end);
+            if (end - at <= kPlainReach) return false;
+            rooms_[i] = static_cast<std::uint32_t>(room - row);
+            if (!scan_plain_real(at, out[i])) return false;
+            const bool has_exponent = *(at - 4) == 'E' || *(at - 5) == 'E';
+            if (i + 1 < out.size() && !has_exponent)
+                at += std::min<std::ptrdiff_t>(blanks_at(at), kBlanksOfG);
+        }
+        known_ = !out.empty() && rooms_.back() < 4096;
+        return true;
+    }
+
+    /// How many of eight characters are blanks before the first that is none.
+    static std::ptrdiff_t blanks_at(const char* at) {
+        const std::uint64_t others = load8(at) ^ 0x2020202020202020;
+        return std::countr_zero(others) / 8;
+    }
+
+    bool known_ = false;
+    std::vector<std::uint32_t> rooms_, ends_;  ///< From where the first is looked for.
+};
+
 enum class RowKind {
     Row,
     Text,
@@ -91,10 +205,19 @@ enum class RowKind {
 /// Rows of values: state that a row needs besides its line.
 class ValueParser {
 public:
-    explicit ValueParser(const ValueHead& head) : width_(head.column_width), values_(head.columns.size()) {}
+    explicit ValueParser(const ValueHead& head)
+        : width_(head.column_width), values_(head.columns.size()), columns_(head.columns.size()) {}
 
     std::span<const float> values() const { return values_; }
     bool has_bad_value() const { return has_bad_value_; }
+
+    /// A row with all its values as solvers print them; false, without moving, when it is not.
+    bool parse_plain(RowCursor& cursor, std::int64_t& id, std::size_t& length) {
+        const char* at = cursor.plain_row(values_.size());
+        has_bad_value_ = false;
+        return at != nullptr && scan_plain_id(at, cursor.text_end(), id) &&
+               columns_.scan(at, cursor.text_end(), values_) && cursor.finish_row(at, length);
+    }
 
     RowKind parse(std::string_view line, std::int64_t& id) {
         has_bad_value_ = false;
@@ -160,6 +283,7 @@ private:
 
     std::size_t width_;
     std::vector<float> values_;
+    PlainColumns<float> columns_;
     bool has_bad_value_ = false;
 };
 
@@ -175,6 +299,62 @@ void read_element_line(std::string_view line, ValueRow& row) {
 
 }  // namespace
 
+namespace {
+
+/// The row of a line, by the general way. False: the line is no row.
+bool read_node_row(
+    const ListFile& file,
+    const List& list,
+    const Lines& lines,
+    std::size_t usual_length,
+    Diagnostics* diagnostics,
+    NodeRow& row
+) {
+    if (!is_digit(first_mark(lines.line()))) return false;
+    Cursor cursor(lines.line());
+    if (!scan_row_id(cursor, row.id)) {
+        report_text(file, lines, diagnostics);
+        return false;
+    }
+    if (is_cut(file, lines, usual_length, diagnostics)) return false;
+    for (double& x : row.position) {
+        if (!scan_real(cursor, x) || !std::isfinite(x))
+            throw_bad_row(file, lines, "three coordinates of a node");
+    }
+    row.angles = {};
+    for (std::size_t i = 0; i < 3 && list.has_angles; ++i) {
+        if (!cursor.at_end() && !scan_real(cursor, row.angles[i])) throw_bad_row(file, lines, "three angles");
+    }
+    if (!cursor.at_end()) throw_bad_row(file, lines, list.has_angles ? "six numbers" : "three coordinates");
+    return true;
+}
+
+/// Place and angles of plain rows.
+class PlainNodeRows {
+public:
+    explicit PlainNodeRows(bool has_angles) : columns_(has_angles ? 6 : 3), reals_(has_angles ? 6 : 3) {}
+
+    bool read(RowCursor& cursor, NodeRow& row, std::size_t& length) {
+        const char* at = cursor.plain_row(reals_.size());
+        if (at == nullptr || !scan_plain_id(at, cursor.text_end(), row.id) ||
+            !columns_.scan(at, cursor.text_end(), reals_))
+            return false;
+        if (!cursor.finish_row(at, length)) return false;
+        std::copy_n(reals_.begin(), 3, row.position.begin());
+        if (reals_.size() == 6)
+            std::copy_n(reals_.begin() + 3, 3, row.angles.begin());
+        else
+            row.angles = {};
+        return true;
+    }
+
+private:
+    PlainColumns<double> columns_;
+    std::vector<double> reals_;
+};
+
+}  // namespace
+
 void for_each_node(
     const ListFile& file,
     const List& list,
@@ -183,32 +363,18 @@ void for_each_node(
 ) {
     std::size_t usual_length = 0;
     NodeRow row;
+    PlainNodeRows plain(list.has_angles);
     ReleaseBehind release(file.input);
     for (const TextRange run : list.runs) {
-        Lines lines(file.input.text(), run.begin, run.end, file.line_end);
-        while (lines.next()) {
-            release.at(lines.begin());
-            if (!is_digit(first_mark(lines.line()))) continue;
-            Cursor cursor(lines.line());
-            if (!scan_row_id(cursor, row.id)) {
-                report_text(file, lines, diagnostics);
-                continue;
+        for (RowCursor cursor(file, run); !cursor.at_end();) {
+            row.offset = cursor.at();
+            if (!plain.read(cursor, row, usual_length)) {
+                const Lines lines = cursor.line();
+                if (!read_node_row(file, list, lines, usual_length, diagnostics, row)) continue;
+                usual_length = without_return(lines.line()).size();
             }
-            if (is_cut(file, lines, usual_length, diagnostics)) continue;
-            for (double& x : row.position) {
-                if (!scan_real(cursor, x) || !std::isfinite(x))
-                    throw_bad_row(file, lines, "three coordinates of a node");
-            }
-            row.angles = {};
-            for (std::size_t i = 0; i < 3 && list.has_angles; ++i) {
-                if (!cursor.at_end() && !scan_real(cursor, row.angles[i]))
-                    throw_bad_row(file, lines, "three angles");
-            }
-            if (!cursor.at_end())
-                throw_bad_row(file, lines, list.has_angles ? "six numbers" : "three coordinates");
-            row.offset = lines.begin();
-            usual_length = without_return(lines.line()).size();
             use(row);
+            release.at(row.offset);
         }
     }
 }
@@ -223,27 +389,29 @@ void for_each_value_row(
     ValueParser parser(list.head);
     ValueRow row;
     ReleaseBehind release(file.input);
+    row.values = parser.values();
     for (const TextRange run : list.runs) {
-        Lines lines(file.input.text(), run.begin, run.end, file.line_end);
-        while (lines.next()) {
-            release.at(lines.begin());
-            if (!is_digit(first_mark(lines.line()))) {
-                read_element_line(lines.line(), row);
-                continue;
+        for (RowCursor cursor(file, run); !cursor.at_end();) {
+            row.offset = cursor.at();
+            if (!parser.parse_plain(cursor, row.id, usual_length)) {
+                const Lines lines = cursor.line();
+                if (!is_digit(first_mark(lines.line()))) {
+                    read_element_line(lines.line(), row);
+                    continue;
+                }
+                const RowKind kind = parser.parse(lines.line(), row.id);
+                if (kind == RowKind::Text) {
+                    report_text(file, lines, diagnostics);
+                    continue;
+                }
+                if (is_cut(file, lines, usual_length, diagnostics)) continue;
+                if (kind == RowKind::Bad)
+                    throw_bad_row(file, lines, fmt::format("{} values", list.head.columns.size()));
+                usual_length = without_return(lines.line()).size();
             }
-            const RowKind kind = parser.parse(lines.line(), row.id);
-            if (kind == RowKind::Text) {
-                report_text(file, lines, diagnostics);
-                continue;
-            }
-            if (is_cut(file, lines, usual_length, diagnostics)) continue;
-            if (kind == RowKind::Bad)
-                throw_bad_row(file, lines, fmt::format("{} values", list.head.columns.size()));
-            usual_length = without_return(lines.line()).size();
-            row.values = parser.values();
             row.has_bad_value = parser.has_bad_value();
-            row.offset = lines.begin();
             use(row);
+            release.at(row.offset);
         }
     }
 }

@@ -57,7 +57,7 @@ private:
     void number_line(const Lines& lines) {
         if (rows_ == Rows::Ignored) return;
         // A lone 1 in the first column is the page feed of batch output.
-        if (trim(lines.line()) == "1" && lines.line().front() == '1') {
+        if (lines.line().front() == '1' && trim(lines.line()) == "1") {
             rows_ = Rows::Ignored;
             return;
         }
