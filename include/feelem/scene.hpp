@@ -111,8 +111,9 @@ void write_scene(
     Diagnostics& diagnostics
 );
 
-/// Vertices of the skin as a scene holds them: rounded to float32, origin subtracted.
-std::vector<Point3> scene_positions(const Surface& surface);
+/// Vertices of the skin as a scene with these options holds them: rounded to float32 or to the grid of a
+/// compressed scene, origin subtracted.
+std::vector<Point3> scene_positions(const Surface& surface, const SceneOptions& options);
 
 /// A scene read back: what `probe` and `check` need.
 struct ScenePart {

@@ -102,15 +102,15 @@ void write_as_scene(Work& work) {
     if (store.interpolated() > 0) {
         contents.notes["midside_interpolated"] = std::to_string(store.interpolated());
     }
-    make_levels(work, surface, store, contents);
+    SceneOptions options;
+    options.compress = work.job.compress;
+    options.bound = work.job.compress_bound;
+    make_levels(work, surface, store, options, contents);
     contents.load = [&](std::size_t result, std::size_t values) {
         report_progress(work.progress, "write", fraction_of(done++, fields));
         return store.take_field(result, values);
     };
     report_progress(work.progress, "write", 0);
-    SceneOptions options;
-    options.compress = work.job.compress;
-    options.bound = work.job.compress_bound;
     write_scene(contents, work.job.output, options, work.diagnostics);
 }
 

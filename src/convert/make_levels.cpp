@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "convert/judge_level.hpp"
 #include "convert/stage.hpp"
+#include "scene/steps.hpp"
 
 #include "feelem/error.hpp"
 #include "feelem/lod.hpp"
@@ -101,6 +102,13 @@ ComponentValues components_of(const SurfaceField& field) {
             out[c][v] = is_whole ? field.values[v * width + c] : std::numeric_limits<float>::quiet_NaN();
     }
     return out;
+}
+
+/// A level is about what the scene holds: the values that a compressed one has rounded.
+void round_as_written(const SceneResult& result, const SceneOptions& options, SurfaceField& field) {
+    if (!options.compress || !result.range) return;
+    if (const auto steps = gltf::steps_within(*result.range, options.bound))
+        gltf::round_to_steps(*steps, field.values);
 }
 
 /// Empty when the level keeps its promise, else what it does not keep.
@@ -225,7 +233,13 @@ LevelWish parse_levels(std::string_view text) {
     );
 }
 
-void make_levels(const Work& work, const Surface& surface, SceneValueStore& store, SceneContents& contents) {
+void make_levels(
+    const Work& work,
+    const Surface& surface,
+    SceneValueStore& store,
+    const SceneOptions& options,
+    SceneContents& contents
+) {
     const LevelWish wish = parse_levels(work.job.levels);
     const std::uint64_t triangles = surface.triangles.size();
     if (wish.kind == LevelWish::Kind::Off || triangles == 0) return;
@@ -238,7 +252,7 @@ void make_levels(const Work& work, const Surface& surface, SceneValueStore& stor
             "its own"
         );
     report_progress(work.progress, "levels", 0);
-    const std::vector<Point3> positions = scene_positions(surface);
+    const std::vector<Point3> positions = scene_positions(surface, options);
     LodSurface drawn = lod_surface(surface);
     drawn.positions = positions;
     Making making{work, drawn, store, contents.results};
@@ -246,8 +260,11 @@ void make_levels(const Work& work, const Surface& surface, SceneValueStore& stor
     making.options.targets = targets_of(wish);
     making.options.distance = kDistance * diagonal_of(positions);
     std::vector<ComponentValues> values;
-    for (const Served& served : making.served)
-        values.push_back(components_of(store.field(served.result, served.values)));
+    for (const Served& served : making.served) {
+        SurfaceField field = store.field(served.result, served.values);
+        round_as_written(contents.results[served.result], options, field);
+        values.push_back(components_of(field));
+    }
     std::string why;
     std::vector<std::pair<SceneLevel, LodLevel>> levels;
     for (making.options.slip = 0.5; making.options.slip > 0.1 && levels.empty(); making.options.slip /= 2) {

@@ -30,6 +30,13 @@ LevelWish parse_levels(std::string_view text);
 
 /// Fills contents.levels and contents.level_triangles. A level that the independent checker does not confirm
 /// at every original vertex is made more carefully, or left out with a note.
-void make_levels(const Work& work, const Surface& surface, SceneValueStore& store, SceneContents& contents);
+/// With a bound among the options, what a level serves is what the scene holds: rounded places and values.
+void make_levels(
+    const Work& work,
+    const Surface& surface,
+    SceneValueStore& store,
+    const SceneOptions& options,
+    SceneContents& contents
+);
 
 }  // namespace feelem

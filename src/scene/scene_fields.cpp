@@ -116,21 +116,6 @@ struct FieldTask {
     bool as_attribute() const { return shown && !steps; }
 };
 
-/// Rounds to the steps of the result. Nothing, and the field as it was, when one of its values is beyond
-/// them.
-std::optional<gltf::Steps> round_to_steps(const std::optional<gltf::Steps>& steps, SurfaceField& field) {
-    if (!steps) return std::nullopt;
-    constexpr double kMost = 2147483647.0;
-    for (const float value : field.values) {
-        const double number = std::isfinite(value) ? steps->number(static_cast<double>(value)) : 0;
-        if (!(std::abs(number) <= kMost)) return std::nullopt;
-    }
-    for (float& value : field.values) {
-        if (std::isfinite(value)) value = steps->value(steps->number(static_cast<double>(value)));
-    }
-    return steps;
-}
-
 void write_part_values(
     SceneBuild& build, const FieldTask& task, ScenePartBuild& part, const PartRows& rows, WrittenField& out
 ) {
@@ -192,7 +177,8 @@ void write_field(SceneBuild& build, FieldTask task) {
         throw Error(Code::BadStructure, "", "the field of " + result.id + " does not fit the skin");
     }
     WrittenField& out = build.written[task.result][task.values];
-    task.steps = round_to_steps(build.steps[task.result], field);
+    const std::optional<gltf::Steps>& steps = build.steps[task.result];
+    if (steps && gltf::round_to_steps(*steps, field.values)) task.steps = steps;
     out.exact = !task.steps;
     for (ScenePartBuild& part : build.parts) {
         const PartRows rows = look_at(build, field, part);

@@ -85,9 +85,9 @@ float shifted(const SceneBuild& build, std::size_t vertex, std::size_t axis) {
     return gltf::on_grid(build.contents.surface->positions[vertex][axis] - build.origin[axis], build.grid);
 }
 
-void choose_grid(SceneBuild& build) {
-    if (!build.options.compress || !(build.options.bound > 0) || !(build.box.largest() > 0)) return;
-    build.grid = gltf::grid_of(build.box.largest());
+float grid_for(const SceneOptions& options, const Box& box) {
+    const bool is_rounded = options.compress && options.bound > 0 && box.largest() > 0;
+    return is_rounded ? gltf::grid_of(box.largest()) : 0;
 }
 
 std::int64_t node_id(const SceneBuild& build, std::size_t vertex) {
@@ -237,7 +237,7 @@ void measure(SceneBuild& build) {
 
 void plan_parts(SceneBuild& build, Diagnostics& diagnostics) {
     choose_origin(build, diagnostics);
-    choose_grid(build);
+    build.grid = grid_for(build.options, build.box);
     for (const SurfacePart& range : build.contents.surface->parts) {
         if (range.vertex_count == 0 || range.triangle_count == 0) continue;
         ScenePartBuild part;
@@ -318,12 +318,14 @@ void write_tree(SceneBuild& build, const std::vector<gltf::Node>& beside) {
     }
 }
 
-std::vector<Point3> scene_positions(const Surface& surface) {
-    const Point3 origin = origin_for(surface.positions, box_of(surface.positions));
+std::vector<Point3> scene_positions(const Surface& surface, const SceneOptions& options) {
+    const Box box = box_of(surface.positions);
+    const Point3 origin = origin_for(surface.positions, box);
+    const float grid = grid_for(options, box);
     std::vector<Point3> positions = surface.positions;
     for (Point3& position : positions) {
         for (std::size_t axis = 0; axis < 3; ++axis)
-            position[axis] = static_cast<double>(static_cast<float>(position[axis] - origin[axis]));
+            position[axis] = static_cast<double>(gltf::on_grid(position[axis] - origin[axis], grid));
     }
     return positions;
 }

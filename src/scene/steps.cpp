@@ -17,6 +17,18 @@ std::optional<Steps> steps_within(const std::array<float, 2>& range, double boun
     return Steps{high, -step};
 }
 
+bool round_to_steps(const Steps& steps, std::span<float> values) {
+    constexpr double kMost = 2147483647.0;
+    const bool fits = std::ranges::all_of(values, [&](float value) {
+        return !std::isfinite(value) || std::abs(steps.number(static_cast<double>(value))) <= kMost;
+    });
+    if (!fits) return false;
+    for (float& value : values) {
+        if (std::isfinite(value)) value = steps.value(steps.number(static_cast<double>(value)));
+    }
+    return true;
+}
+
 float grid_of(double largest) {
     return static_cast<float>(std::exp2(std::floor(std::log2(largest / 65536))));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace feelem::gltf {
 
@@ -21,6 +22,10 @@ struct Steps {
 /// Steps on which no value of the range is moved by more than `bound` of its width, and its ends not at all.
 /// Nothing when that saves nothing: steps hardly wider than float32's own.
 std::optional<Steps> steps_within(const std::array<float, 2>& range, double bound);
+
+/// Rounds all of them, but for those that are missing. False, and nothing changed, when one is beyond the
+/// steps' numbers.
+bool round_to_steps(const Steps& steps, std::span<float> values);
 
 /// The power of two that divides `largest` into 65,536 pieces or up to twice as many.
 float grid_of(double largest);
