@@ -268,8 +268,10 @@ OuterFacets find_outer_facets(const Mesh& mesh, const std::vector<bool>& set_asi
     const NodeRanks marks = nodes_with_a_rest(mesh, blocks, set_aside, noticed, found);
     FacetTable table(mesh, marks.count());
     for_each_candidate(table, marks, blocks, set_aside, [&](const FacetCandidate& candidate) {
+        ++found.candidates;
         table.add(candidate);
     });
+    found.probes = table.probes();
     if (table.special_count() > 0) {
         std::vector<FacetTable::SpecialOwner> owners;
         for_each_candidate(table, marks, blocks, set_aside, [&](const FacetCandidate& candidate) {

@@ -20,9 +20,11 @@ struct OuterFacets {
     std::uint64_t many_owners = 0;
     std::uint64_t collapsed = 0;
     std::uint64_t of_set_aside = 0;
-    std::uint64_t unmatched = 0;  ///< Of the outer ones: unequal middles, or a quad facing two triangles.
-    bool same_winding = false;    ///< Two owners wind the same way round: one of them is inverted.
-    bool duplicates = false;      ///< Two elements have the same corners: set them aside and ask again.
+    std::uint64_t unmatched = 0;   ///< Of the outer ones: unequal middles, or a quad facing two triangles.
+    std::uint64_t candidates = 0;  ///< Facets that were matched by their corners: how much work it was,
+    std::uint64_t probes = 0;      ///< and how often one was compared with a place in the table.
+    bool same_winding = false;     ///< Two owners wind the same way round: one of them is inverted.
+    bool duplicates = false;       ///< Two elements have the same corners: set them aside and ask again.
 };
 
 /// `set_aside`: one flag an element (over all blocks), or empty.

@@ -164,9 +164,11 @@ void FacetTable::grow_spill() {
 template <class Visit>
 void FacetTable::visit_slots(const FacetCandidate& candidate, Visit visit) {
     for (Slot& slot : buckets_[candidate.bucket].slots) {
+        ++probes_;
         if (visit(slot, false)) return;
     }
     for (std::size_t at = candidate.corners % spill_.size();; at = (at + 1) % spill_.size()) {
+        ++probes_;
         if (visit(spill_[at], true)) return;
     }
 }

@@ -28,6 +28,7 @@ public:
     void add(const FacetCandidate& candidate);
     std::uint64_t outer_count() const { return outer_; }
     std::uint64_t special_count() const { return specials_; }
+    std::uint64_t probes() const { return probes_; }
 
     /// Per element of all blocks, which facets are outer: bit i for facet i.
     std::span<const std::uint8_t> outer_facets() const { return outer_bits_.span(); }
@@ -96,7 +97,7 @@ private:
     std::vector<Slot> spill_;
     std::size_t spilled_ = 0;
     ZeroedArray<std::uint8_t> outer_bits_;  ///< Per element of all blocks.
-    std::uint64_t outer_ = 0, specials_ = 0;
+    std::uint64_t outer_ = 0, specials_ = 0, probes_ = 0;
 };
 
 /// Quads that two outer triangles with the same corners lie against. `may_repeat`: corners of elements may
