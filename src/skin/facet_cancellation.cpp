@@ -82,32 +82,69 @@ struct Noticed {
     std::atomic<bool> may_repeat{false};  ///< FacetBatch::may_repeat.
 };
 
-/// Adds the facets of elements [first, last) at their smallest corners. `kShared`: other threads add there
-/// too.
-template <bool kShared>
+/// Sums that one thread alone adds to.
+class OwnSums {
+public:
+    explicit OwnSums(std::uint64_t* sums) : sums_(sums) {}
+    void add(std::uint32_t node, std::uint64_t hash) { sums_[node] += hash; }
+
+private:
+    std::uint64_t* sums_;
+};
+
+/// Sums that other threads add to. What is added to the same node soon after, which most often leaves
+/// nothing, is joined in the cache, since an addition that others see costs as much as many that they do not.
+class SharedSums {
+public:
+    explicit SharedSums(std::uint64_t* sums) : sums_(sums) {}
+    SharedSums(const SharedSums&) = delete;
+    SharedSums& operator=(const SharedSums&) = delete;
+    ~SharedSums() {
+        for (const Line& line : lines_) pass_on(line);
+    }
+    void add(std::uint32_t node, std::uint64_t hash) {
+        Line& line = lines_[node % lines_.size()];
+        if (line.node != node) {
+            pass_on(line);
+            line = {0, node};
+        }
+        line.sum += hash;
+    }
+
+private:
+    struct Line {
+        std::uint64_t sum = 0;
+        std::uint32_t node = 0;
+    };
+    void pass_on(const Line& line) {
+        if (line.sum != 0) std::atomic_ref(sums_[line.node]).fetch_add(line.sum, std::memory_order_relaxed);
+    }
+
+    std::uint64_t* sums_;
+    std::array<Line, 1024> lines_{};
+};
+
+/// Adds the facets of elements [first, last) at their smallest corners.
+template <class Sums>
 void add_hashes(
     const SolidBlock& solids,
     const std::vector<bool>& set_aside,
     std::array<std::size_t, 2> range,
-    std::uint64_t* sums,
+    std::uint64_t* memory,
     Noticed& noticed
 ) {
+    Sums sums(memory);
     std::uint64_t collapsed = 0;
     FacetBatch batch;
     for_each_run(solids, set_aside, range, [&](ElementRun run, std::size_t) {
         hash_facets(run, FacetHashes::Signed, batch);
         const std::size_t count = run.count * solids.row->facet_count;
-        for (std::size_t i = 0; i < std::min(count, kAhead); ++i)
-            __builtin_prefetch(&sums[batch.lowest[i]], 1);
+        const auto fetch = [&](std::size_t i) { __builtin_prefetch(&memory[batch.lowest[i]], 1); };
+        for (std::size_t i = 0; i < std::min(count, kAhead); ++i) fetch(i);
         for (std::size_t i = 0; i < count; ++i) {
-            if (i + kAhead < count) __builtin_prefetch(&sums[batch.lowest[i + kAhead]], 1);
+            if (i + kAhead < count) fetch(i + kAhead);
             collapsed += batch.hashes[i] == 0 ? 1U : 0U;  // Adding 0 does no harm.
-            std::uint64_t& sum = sums[batch.lowest[i]];
-            if constexpr (kShared) {
-                std::atomic_ref(sum).fetch_add(batch.hashes[i], std::memory_order_relaxed);
-            } else {
-                sum += batch.hashes[i];
-            }
+            sums.add(batch.lowest[i], batch.hashes[i]);
         }
     });
     noticed.collapsed += collapsed;
@@ -146,8 +183,8 @@ NodeRanks nodes_with_a_rest(
         }
         parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
             const std::array range{first, last};
-            is_shared ? add_hashes<true>(solids, set_aside, range, sums.data(), noticed)
-                      : add_hashes<false>(solids, set_aside, range, sums.data(), noticed);
+            is_shared ? add_hashes<SharedSums>(solids, set_aside, range, sums.data(), noticed)
+                      : add_hashes<OwnSums>(solids, set_aside, range, sums.data(), noticed);
         });
     }
     found.collapsed = noticed.collapsed;
