@@ -126,7 +126,7 @@ def main():
     options.add_argument("--only", help="instead of meshes and numberings, runs too if you like: hex8:natural:9,tet4:random")
     options.add_argument("--growth", default="", help="meshes whose growth from an eighth of the cells is measured")
     options.add_argument("--free", type=Path, help="a mesh of free_tets.py, as it is numbered")
-    options.add_argument("--bin", type=Path, default=HERE.parent / "build/bench/bin")
+    options.add_argument("--bin", type=Path, default=HERE.parent / "build/release/bin")
     options.add_argument("--name", default="skin-8m")
     options = options.parse_args()
     if not (options.bin / "bench_vtk_skin").exists():

@@ -119,6 +119,7 @@ bool flip_facets_of_inverted_solids(const Mesh& mesh, std::vector<FacetRef>& fac
     std::atomic<bool> any{false};
     parallel_chunks(facets.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
+            fetch_elements(mesh, facets, i);
             const bool same_element = i > first && facets[i].block == facets[i - 1].block &&
                                       facets[i].position == facets[i - 1].position;
             facets[i].flipped = same_element

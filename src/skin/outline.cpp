@@ -62,6 +62,18 @@ Outline outline_of(const Mesh& mesh, FacetRef ref) noexcept {
     return out;
 }
 
+void fetch_elements(const Mesh& mesh, std::span<const FacetRef> facets, std::size_t i) noexcept {
+    constexpr std::size_t kAhead = 16;
+    if (i + kAhead >= facets.size()) return;
+    const FacetRef later = facets[i + kAhead], sooner = facets[i + kAhead / 2];
+    const auto nodes = element_nodes(mesh, later);
+    __builtin_prefetch(nodes.data());
+    __builtin_prefetch(nodes.data() + nodes.size() - 1);
+    const std::size_t corners = element_row(mesh.blocks[sooner.block].type).corner_count;
+    for (const NodeIndex corner : element_nodes(mesh, sooner).first(corners))
+        __builtin_prefetch(&mesh.coordinates[raw(corner)]);
+}
+
 bool has_place(const Mesh& mesh, NodeIndex node) noexcept {
     return std::ranges::all_of(mesh.coordinates[raw(node)], [](double v) { return std::isfinite(v); });
 }

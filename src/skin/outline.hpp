@@ -42,6 +42,22 @@ Outline outline_of(const Mesh& mesh, FacetRef ref) noexcept;
 /// Nodes of the element that `ref` names.
 std::span<const NodeIndex> element_nodes(const Mesh& mesh, FacetRef ref) noexcept;
 
+/// Asks memory for the corners of the element of a facet some way after `i`, and for their coordinates at
+/// half that way: elements on the skin lie far apart.
+void fetch_elements(const Mesh& mesh, std::span<const FacetRef> facets, std::size_t i) noexcept;
+/// Asks for the coordinates of a facet some way after `i`.
+inline void fetch_places(
+    std::span<const Outline> facets, std::size_t i, std::span<const Point3> coordinates
+) noexcept {
+    constexpr std::size_t kAhead = 8;
+    if (i + kAhead >= facets.size()) return;
+    const Outline& facet = facets[i + kAhead];
+    for (std::size_t k = 0; k < facet.count; ++k) {
+        __builtin_prefetch(&coordinates[raw(facet.corners[k])]);
+        if (facet.middles[k] != kNoNode) __builtin_prefetch(&coordinates[raw(facet.middles[k])]);
+    }
+}
+
 /// Whether the node's coordinates are known.
 bool has_place(const Mesh& mesh, NodeIndex node) noexcept;
 

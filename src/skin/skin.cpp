@@ -136,6 +136,7 @@ FacetsToDraw in_pieces(
     for (std::size_t piece = 0; piece + 1 < counts.size(); ++piece) {
         const auto first = static_cast<std::uint32_t>(drawn.facets.size());
         for (std::uint32_t i = counts[piece]; i < counts[piece + 1]; ++i) {
+            fetch_elements(mesh, sorted, i);
             const Outline outline = drawable(mesh, sorted[i], subdivide);
             if (outline.count == 0) {
                 if (outline_of(mesh, sorted[i]).count > 0) ++without_place;

@@ -72,6 +72,7 @@ std::vector<Point3> normals_along_sides(
     auto along = big_zeros<Point3>(facets.size() * 4);
     parallel_chunks(facets.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t f = first; f < last; ++f) {
+            fetch_places(facets, f, coordinates);
             const FacetPlaces places = places_of(facets[f], coordinates);
             const auto pattern = pattern_of(facets[f]);
             for (std::size_t side = 0; side < facets[f].count; ++side) {
@@ -173,8 +174,10 @@ std::vector<Point3> sums_of_normals(
         const std::size_t window = std::min(facets.size() - start, chunks * kShareChunk);
         parallel_chunks(window, kShareChunk, [&](std::size_t first, std::size_t last) {
             std::vector<Share>& shares = found[first / kShareChunk];
-            for (std::size_t f = start + first; f < start + last; ++f)
+            for (std::size_t f = start + first; f < start + last; ++f) {
+                fetch_places(facets, f, coordinates);
                 add_shares(facets[f], coordinates, &groups.of_point[f * groups.stride], shares);
+            }
         });
         for (std::vector<Share>& shares : found) {
             for (const Share& share : shares) {
