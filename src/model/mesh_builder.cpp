@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/mesh_builder.hpp"
 
+#include "base/huge_pages.hpp"
 #include "model/collapse.hpp"
 
 #include "feelem/error.hpp"
@@ -29,8 +30,8 @@ void reorder(std::vector<T>& values, std::span<const std::uint32_t> order) {
 }  // namespace
 
 void MeshBuilder::reserve_nodes(std::size_t count) {
-    mesh_.node_ids.reserve(count);
-    mesh_.coordinates.reserve(count);
+    reserve_big(mesh_.node_ids, count);
+    reserve_big(mesh_.coordinates, count);
 }
 
 void MeshBuilder::add_node(NodeId id, const Point3& coordinates) {
@@ -127,9 +128,9 @@ ElementBlock& MeshBuilder::block_of(ElementType type) {
         index = static_cast<int>(mesh_.blocks.size());
         ElementBlock& block = mesh_.blocks.emplace_back();
         block.type = type;
-        block.ids.reserve(expected_elements_);
-        block.parts.reserve(expected_elements_);
-        block.nodes.reserve(expected_elements_ * element_row(type).node_count);
+        reserve_big(block.ids, expected_elements_);
+        reserve_big(block.parts, expected_elements_);
+        reserve_big(block.nodes, expected_elements_ * element_row(type).node_count);
     }
     return mesh_.blocks[static_cast<std::size_t>(index)];
 }

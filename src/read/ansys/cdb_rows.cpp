@@ -4,6 +4,7 @@
 // Algorithm: fixed columns, each first by the fast ways of cdb_format.hpp, then by the general ones.
 #include "read/ansys/cdb_rows.hpp"
 
+#include "base/columns.hpp"
 #include "base/number.hpp"
 
 #include "feelem/error.hpp"
@@ -124,7 +125,10 @@ bool NodeRows::read_fast() {
     std::int64_t id = 0;
     plain = plain && fast_integer(row, format.id_width, id) && id > 0;
     std::array<double, 6> values{};
-    if (format.decimals == 13) {
+    const bool usual = reals_ == 3 && format.other_width == 21 && format.decimals == 13;
+    if (usual && plain && three_reals_of_21(reals, values.data())) {
+        // The columns of nearly all archives.
+    } else if (format.decimals == 13) {
         for (std::size_t i = 0; i < reals_; ++i)
             plain = plain && fast_real_of<13>(reals + i * format.other_width, format.other_width, values[i]);
     } else {
@@ -223,26 +227,24 @@ bool ElementRowsReader::read_fast() {
     if (lines_.end - lines_.at < size) return false;
     const char* row = lines_.text.data() + lines_.at;
     if (std::memcmp(row, alike_.data(), alike_.size()) != 0) return false;
-    std::uint64_t bad = 0;
-    const auto column = [&](const char* at) {
-        const char* last = at + width - 8;
-        for (; at != last; ++at) bad |= static_cast<std::uint64_t>(*at != ' ');
-        return eight_columns(load8(last), bad);
+    bool plain = stays_in_line(row + kAlike * width, width);
+    const auto ends_line = [&](const char* at) {
+        return (line_end_size_ == 1 || *at == '\r') && at[line_end_size_ - 1] == lines_.line_end;
     };
-    const auto line_end = [&](const char* at) {
-        if (line_end_size_ == 2) bad |= static_cast<std::uint64_t>(*at != '\r');
-        bad |= static_cast<std::uint64_t>(at[line_end_size_ - 1] != lines_.line_end);
-    };
-    bad |= static_cast<std::uint64_t>(!stays_in_line(row + kAlike * width, width));
-    const std::int64_t id = column(row + (kSolidAttributes - 1) * width);
-    const char* at = row + kSolidAttributes * width;
-    for (std::size_t i = 0; i < on_first; ++i, at += width) nodes_[i] = column(at);
-    line_end(at);
-    at += line_end_size_;
-    for (std::size_t i = on_first; i < node_count_; ++i, at += width) nodes_[i] = column(at);
-    if (second != 0) line_end(at);
-    if (bad != 0 || id == 0) return false;
-    row_.id = id;
+    // The number stands in the column before the nodes.
+    std::int64_t* const ids = columns_.data();
+    const char* nodes = row + kSolidAttributes * width;
+    plain = plain && columns_of_integers(nodes - width, width, 1 + on_first, ids) &&
+            ends_line(nodes + on_first * width);
+    const char* further = nodes + on_first * width + line_end_size_;
+    if (second != 0) {
+        const std::size_t count = node_count_ - on_first;
+        plain = plain && columns_of_integers(further, width, count, ids + 1 + on_first) &&
+                ends_line(further + second);
+    }
+    if (!plain || ids[0] == 0) return false;
+    row_.id = ids[0];
+    row_.nodes = std::span(columns_).subspan(1, node_count_);
     row_.offset = lines_.at;
     lines_.at += size;
     return true;

@@ -122,6 +122,7 @@ private:
     RowPlace place_;
     ElementRowIds row_;
     std::array<std::int64_t, kMostNodes> nodes_{};
+    std::array<std::int64_t, 1 + kMostNodes> columns_{};  ///< The number and the nodes of a row read at once.
     std::size_t node_count_ = 0;  ///< Of the row; those beyond the array are not kept.
     std::int64_t count_ = 0;
     bool short_ = false;  ///< The row has fewer nodes than it says.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Element rows: six numbers and the node ids, which go on in the next lines.
+#include "base/columns.hpp"
 #include "base/eight_digits.hpp"
 #include "read/ansys/list_rows.hpp"
 #include "read/ansys/list_text.hpp"
@@ -28,6 +29,18 @@ struct Numbers {
     std::array<std::size_t, kAttributes + kMostIds> ends{};  ///< Column behind each.
     std::size_t count = 0;
     std::size_t length = 0;  ///< Of the line.
+    /// The last ones, when they stand in columns of one width that columns_of_integers can read.
+    std::size_t first_even = 0, width = 0;
+
+    void note_columns() {
+        first_even = width = 0;
+        if (count < 5) return;
+        const std::size_t last = ends[count - 1] - ends[count - 2];
+        if (last < 8 || last > 16) return;
+        std::size_t first = count - 1;
+        while (first > 1 && ends[first - 1] - ends[first - 2] == last) --first;
+        if (count - first >= 4) first_even = first, width = last;
+    }
 };
 
 /// The numbers of a line as long as the one before, when they end in the same columns, with a blank before
@@ -35,10 +48,11 @@ struct Numbers {
 bool read_alike(std::string_view line, Numbers& numbers) {
     if (line.size() != numbers.length || numbers.count == 0 || numbers.ends[0] < 8) return false;
     constexpr std::uint64_t kBlanks = 0x2020202020202020;
-    std::array<std::uint32_t, kAttributes + kMostIds> values;
+    std::array<std::int64_t, kAttributes + kMostIds> values;
     std::uint64_t bad = 0;
+    const std::size_t one_by_one = numbers.width == 0 ? numbers.count : numbers.first_even;
     std::size_t from = 0;  // Behind the number before.
-    for (std::size_t i = 0; i < numbers.count; ++i) {
+    for (std::size_t i = 0; i < one_by_one; ++i) {
         const std::size_t end = numbers.ends[i];
         std::uint64_t word = load8(line.data() + end - 8);
         if (end - from < 8) {
@@ -53,6 +67,11 @@ bool read_alike(std::string_view line, Numbers& numbers) {
     for (; from < line.size(); ++from)
         bad |= static_cast<std::uint64_t>(line[from] != ' ' && line[from] != '\r');
     if (bad != 0) return false;
+    if (one_by_one < numbers.count) {
+        const char* columns = line.data() + numbers.ends[one_by_one] - numbers.width;
+        const std::size_t count = numbers.count - one_by_one;
+        if (!columns_of_integers(columns, numbers.width, count, values.data() + one_by_one)) return false;
+    }
     std::copy_n(values.begin(), numbers.count, numbers.values.begin());
     return true;
 }
@@ -74,6 +93,7 @@ bool read_numbers(std::string_view line, std::size_t first, Numbers& numbers) {
     }
     numbers.count = count;
     numbers.length = first == 0 ? line.size() : 0;
+    numbers.note_columns();
     return true;
 }
 

@@ -177,8 +177,9 @@ private:
             at = behind_blanks(at, end);
             if (end - at <= kPlainReach) return false;
             rooms_[i] = static_cast<std::uint32_t>(room - row);
+            const char* number = at;
             if (!scan_plain_real(at, out[i])) return false;
-            const bool has_exponent = *(at - 4) == 'E' || *(at - 5) == 'E';
+            const bool has_exponent = std::find(number, at, 'E') != at;
             if (i + 1 < out.size() && !has_exponent)
                 at += std::min<std::ptrdiff_t>(blanks_at(at), kBlanksOfG);
         }

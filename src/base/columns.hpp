@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of equal columns with a right-aligned whole number each, several at a time where the processor can.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace feelem {
+
+/// `count` columns of 8 to 16 characters from `at` on: blanks, then one to eight digits up to the last.
+/// False: something else stands in one of them, and `out` holds nothing. Reads no byte outside the columns.
+bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::int64_t* out);
+
+/// The same on any processor.
+bool columns_of_integers_portable(const char* at, std::size_t width, std::size_t count, std::int64_t* out);
+
+/// Three columns of 21 characters as Fortran's E21.13E3 prints reals: -1.2345678901234E+001, exponents from
+/// -9 to 13, each rounded once. False: something else stands in one of them.
+bool three_reals_of_21(const char* at, double* out);
+
+/// Whether the processor has what three_reals_of_21 needs; else it is always false.
+bool has_fast_columns();
+
+}  // namespace feelem

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many columns at once say what one after the other says, on any processor.
+#include "base/columns.hpp"
+#include "base/number.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace feelem {
+namespace {
+
+/// In memory of its own size, so that a byte read outside it is noticed by the sanitizers.
+struct Exact {
+    explicit Exact(const std::string& text) : bytes(new char[text.size()]) {
+        std::copy(text.begin(), text.end(), bytes.get());
+    }
+    std::unique_ptr<char[]> bytes;
+};
+
+TEST(Columns, of_integers_are_the_same_at_once_and_one_by_one) {
+    std::mt19937_64 random(4);
+    int good = 0, bad = 0;
+    for (int i = 0; i < 60'000; ++i) {
+        const std::size_t width = 8 + random() % 5, count = 1 + random() % 13;
+        std::string text;
+        std::vector<std::int64_t> wanted;
+        for (std::size_t c = 0; c < count; ++c) {
+            const auto number = static_cast<std::int64_t>(
+                random() % std::array{10ULL, 10'000ULL, 100'000'000ULL}[random() % 3]
+            );
+            wanted.push_back(number);
+            text += fmt::format("{:>{}}", number, width);
+        }
+        const bool damaged = i % 2 == 0;
+        if (damaged) text[random() % text.size()] = static_cast<char>(random() % 256);
+        const Exact exact(text);
+        std::vector<std::int64_t> all(count, -1), each(count, -1);
+        const bool found = columns_of_integers(exact.bytes.get(), width, count, all.data());
+        ASSERT_EQ(found, columns_of_integers_portable(exact.bytes.get(), width, count, each.data())) << text;
+        (found ? good : bad) += 1;
+        ASSERT_TRUE(found || damaged) << text;
+        if (!found) continue;
+        ASSERT_EQ(all, each) << text;
+        ASSERT_TRUE(damaged || all == wanted) << text;
+    }
+    EXPECT_GT(good, 30'000);
+    EXPECT_GT(bad, 10'000);
+}
+
+TEST(Columns, of_integers_refuse_what_is_no_number) {
+    for (const char* column :
+         {"        ", "      -1", "1234567 ", " 12 4567", "   1.500", "   1234x", "\t      1"}) {
+        std::string text;
+        for (int c = 0; c < 5; ++c) text += "       7";
+        for (std::size_t c = 0; c < 5; ++c) {
+            std::string row = text;
+            row.replace(8 * c, 8, column);
+            std::array<std::int64_t, 5> out{};
+            EXPECT_FALSE(columns_of_integers(row.data(), 8, 5, out.data())) << row;
+            EXPECT_FALSE(columns_of_integers_portable(row.data(), 8, 5, out.data())) << row;
+        }
+    }
+}
+
+TEST(Columns, three_reals_are_the_nearest_doubles) {
+    if (!has_fast_columns()) GTEST_SKIP() << "this processor takes the other way";
+    std::mt19937_64 random(6);
+    int known = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        std::string text;
+        for (int c = 0; c < 3; ++c) {
+            const std::string digits = fmt::format("{:014}", random() % 100'000'000'000'000ULL);
+            const int exponent = static_cast<int>(random() % 24) - 10;
+            text += fmt::format(
+                "{}{}.{}E{}{:03}",
+                random() % 2 == 0 ? '-' : ' ',
+                digits[0],
+                digits.substr(1),
+                exponent < 0 ? '-' : '+',
+                std::abs(exponent)
+            );
+        }
+        if (i % 4 == 0) text[random() % text.size()] = static_cast<char>(random() % 256);
+        const Exact exact(text);
+        std::array<double, 3> out{};
+        if (!three_reals_of_21(exact.bytes.get(), out.data())) continue;
+        ++known;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto wanted = parse_double(text.substr(21 * c, 21));
+            ASSERT_TRUE(wanted) << text;
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(out[c]), std::bit_cast<std::uint64_t>(*wanted)) << text;
+        }
+    }
+    EXPECT_GT(known, 100'000);
+}
+
+TEST(Columns, three_reals_refuse_what_is_printed_otherwise) {
+    const std::string good = " 1.0000000000000E+000";
+    std::array<double, 3> out{};
+    for (const char* other :
+         {"+1.0000000000000E+000",
+          "  1.000000000000E+000",
+          " 1.0000000000000D+000",
+          " 1.0000000000000E 000",
+          " 1.0000000000000E+100",
+          " 1.0000000000000E+0 0",
+          " 1.0000000000000E-010",
+          " 1.0000000000000E+014",
+          " 1,0000000000000E+000",
+          " .10000000000000E+000",
+          "                     ",
+          " 0.0000000000000+0000",
+          "-1.000000000000 E+000"}) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::string row = good + good + good;
+            row.replace(21 * c, 21, other);
+            EXPECT_FALSE(three_reals_of_21(row.data(), out.data())) << row;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace feelem
