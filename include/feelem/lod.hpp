@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace feelem {
@@ -48,6 +49,7 @@ struct LodOptions {
     double cone_angle = 45;   ///< Degrees between the normal of a sample and of the triangle that shows it.
     double first_step = 0.1;  ///< The search begins at this fraction of the bounds ...
     double growth = 3;        ///< ... and widens by this factor when little can be removed.
+    std::vector<VertexIndex> keep;  ///< Stay in every level, besides the extremes of the fields.
     std::vector<LodTarget> targets{LodTarget{}};  ///< Triangles descending, bounds ascending.
 };
 
@@ -76,6 +78,10 @@ struct LodLevel {
     std::vector<VertexIndex> vertices;                  ///< Those in use, ascending.
     /// Per original vertex: the triangle of this level that stands for it; 0xffffffff: on no triangle.
     std::vector<std::uint32_t> witness;
+    /// Likewise per original triangle for its middle; empty without centroids.
+    std::vector<std::uint32_t> middle_witness;
+    /// Vertices on a crease that its two sides share, each with the triangle of the second side.
+    std::vector<std::pair<VertexIndex, std::uint32_t>> second_witness;
     bool reached = false;  ///< The count was reached; else the bounds allow no fewer triangles.
     LodCertificate certificate;
 };
@@ -98,6 +104,16 @@ struct LodResult {
 /// The same bytes whatever the number of threads. Throws Error(BadOption) when a bound is not positive or too
 /// fine for float32, Error(TooLarge) above 2^30 triangles.
 LodResult simplify(const LodSurface& surface, std::span<const LodField> fields, const LodOptions& options);
+
+/// What holds on a finished level for results that it was not made for: each vertex and middle against the
+/// triangle that stands for it, as in the certificate. `bound` stays 0.
+std::vector<LodFieldError> measure_level(
+    const LodSurface& surface, std::span<const LodField> fields, const LodLevel& level
+);
+
+/// Vertices whose value rises out of its surroundings by more than twice the field's bound, or falls so far
+/// below them; and the highest and lowest of each connected piece. Ascending.
+std::vector<VertexIndex> lasting_extremes(const LodSurface& surface, std::span<const LodField> fields);
 
 /// What an observer measures on a level who knows nothing of how it was made.
 struct LodCheck {

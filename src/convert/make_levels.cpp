@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -33,6 +34,15 @@ constexpr double kLeastBound = 1e-6;
 /// A level must save at least this share of the triangles of the one before.
 constexpr double kWorthwhile = 0.2;
 
+/// Fields that the simplifier holds at once: that many at most, and at least these, in so many bytes.
+constexpr std::size_t kMostFields = 200, kLeastFields = 24;
+constexpr std::size_t kFieldBytes = std::size_t{1} << 30;
+/// Of a field: its values, their scaled copy, and that of the middles, a triangle.
+constexpr std::size_t kBytesOfField = 8;
+/// Steps of each result that the search begins with when not all can be held, and how often it takes more.
+constexpr std::size_t kFirstSteps = 8;
+constexpr int kRounds = 5;
+
 /// One result at one step.
 struct Served {
     std::size_t result = 0, values = 0;
@@ -46,8 +56,13 @@ struct Making {
     const LodSurface& surface;
     SceneValueStore& store;
     const std::vector<SceneResult>& results;
+    const SceneOptions& scene;
     std::vector<Served> served{};
+    std::vector<std::size_t>
+        held{};  ///< Of `served`: the simplifier holds these; the others are measured afterwards.
     LodOptions options{};
+
+    std::size_t width(std::size_t i) const { return results[served[i].result].components.size(); }
 };
 
 double diagonal_of(std::span<const Point3> positions) {
@@ -111,8 +126,62 @@ void round_as_written(const SceneResult& result, const SceneOptions& options, Su
         gltf::round_to_steps(*steps, field.values);
 }
 
-/// Empty when the level keeps its promise, else what it does not keep.
-std::string complaint(const Making& making, const LevelJudgement& judgement) {
+ComponentValues values_of(const Making& making, std::size_t i) {
+    const Served& served = making.served[i];
+    SurfaceField field = making.store.field(served.result, served.values);
+    round_as_written(making.results[served.result], making.scene, field);
+    return components_of(field);
+}
+
+std::vector<LodField> fields_of(const Making& making, std::size_t i, const ComponentValues& values) {
+    std::vector<LodField> fields;
+    for (const std::vector<float>& component : values)
+        fields.push_back({component, making.served[i].component_bound});
+    return fields;
+}
+
+/// What was found of one level.
+struct Judged {
+    LevelJudgement judgement;  ///< By the checker.
+    std::vector<double> max;   ///< By the lists of the simplifier, per served.
+};
+
+Judged judge(const Making& making, const LodLevel& level) {
+    Judged judged;
+    judged.judgement = judge_level(
+        making.surface,
+        level.triangles,
+        level.certificate.distance_bound,
+        making.served.size(),
+        [&](std::size_t i) {
+            ComponentValues values = values_of(making, i);
+            std::vector<double> found;
+            for (const LodFieldError& error :
+                 measure_level(making.surface, fields_of(making, i, values), level))
+                found.push_back(error.max);
+            judged.max.push_back(error_of_value(making.results[making.served[i].result].shape, found));
+            report_progress(making.work.progress, "levels", fraction_of(i, making.served.size()));
+            return values;
+        }
+    );
+    return judged;
+}
+
+/// The largest difference as a share of what is allowed; an extreme that is lost is worse than any.
+double share_used(const Making& making, const Judged& judged, std::size_t i) {
+    if (!judged.judgement.values[i].keeps_extremes) return std::numeric_limits<double>::infinity();
+    const Shape shape = making.results[making.served[i].result].shape;
+    const double shown = error_of_value(shape, judged.judgement.values[i].shown);
+    return std::max(shown, judged.max[i]) / making.served[i].bound;
+}
+
+/// Empty when the level keeps its promise, else what it does not keep; `broken`: of which results and steps.
+std::string complaint(const Making& making, const Judged& judged, std::vector<std::size_t>& broken) {
+    const LevelJudgement& judgement = judged.judgement;
+    if (!std::isfinite(judgement.max_distance)) return "a triangle of it is where none was";
+    for (std::size_t i = 0; i < making.served.size(); ++i) {
+        if (!(share_used(making, judged, i) <= 1)) broken.push_back(i);
+    }
     if (judgement.without_place + judgement.invented + judgement.lost > 0)
         return fmt::format(
             "{} vertices have no place on it, {} gain and {} lose a value",
@@ -120,16 +189,16 @@ std::string complaint(const Making& making, const LevelJudgement& judgement) {
             judgement.invented,
             judgement.lost
         );
-    if (!std::isfinite(judgement.max_distance)) return "a triangle of it is where none was";
-    for (std::size_t i = 0; i < making.served.size(); ++i) {
-        const Served& served = making.served[i];
-        const SceneResult& result = making.results[served.result];
-        const double shown = error_of_value(result.shape, judgement.values[i].shown);
-        if (shown > served.bound)
-            return fmt::format("{} is shown {:.4g} off, not within {:.4g}", result.id, shown, served.bound);
-        if (!judgement.values[i].keeps_extremes) return fmt::format("an extreme of {} is lost", result.id);
-    }
-    return "";
+    if (broken.empty()) return "";
+    std::ranges::stable_sort(broken, std::greater<>{}, [&](std::size_t i) {
+        return share_used(making, judged, i);
+    });
+    const Served& worst = making.served[broken.front()];
+    return fmt::format(
+        "{} is shown {:.3g} times as far off as it may be",
+        making.results[worst.result].id,
+        share_used(making, judged, broken.front())
+    );
 }
 
 /// To nine decimals, so that people read 0.005 and not the last bit of a quotient.
@@ -137,61 +206,114 @@ double rounded_up(double fraction) {
     return std::ceil((fraction - 1e-12) * 1e9) / 1e9;
 }
 
-SceneLevel described(const Making& making, const LodLevel& level, const LevelJudgement& judgement) {
+SceneLevel described(const Making& making, const LodLevel& level, const Judged& judged) {
     const LodCertificate& certificate = level.certificate;
     SceneLevel out;
     out.triangles = level.triangles.size();
     out.max_distance =
-        std::max({certificate.max_distance, certificate.max_border_distance, judgement.max_distance});
+        std::max({certificate.max_distance, certificate.max_border_distance, judged.judgement.max_distance});
     out.distance_bound = std::max(certificate.distance_bound, out.max_distance);
     out.samples = certificate.samples;
-    std::size_t k = 0;
     for (std::size_t i = 0; i < making.served.size(); ++i) {
         const Served& served = making.served[i];
-        const SceneResult& result = making.results[served.result];
-        std::vector<double> found;
-        for (std::size_t c = 0; c < result.components.size(); ++c)
-            found.push_back(certificate.fields[k++].max);
         SceneLevelValues values{served.result, served.values};
-        values.max = error_of_value(result.shape, found);
-        values.shown = error_of_value(result.shape, judgement.values[i].shown);
-        // What the checker found may be a little more than what was needed for the count.
-        values.bound = std::max(certificate.bound * served.bound, values.shown);
+        values.max = judged.max[i];
+        values.shown = error_of_value(making.results[served.result].shape, judged.judgement.values[i].shown);
+        // What was found may be a little more than what was needed for the count.
+        values.bound = std::max({certificate.bound * served.bound, values.max, values.shown});
         if (served.range > 0) out.bound = std::max(out.bound, rounded_up(values.bound / served.range));
         out.values.push_back(values);
     }
     return out;
 }
 
-/// Levels with this slip; empty with `why` when one of them does not hold.
-std::vector<std::pair<SceneLevel, LodLevel>> attempt(
-    const Making& making, const std::vector<ComponentValues>& values, std::string& why
-) {
-    std::vector<LodField> fields;
-    for (std::size_t i = 0; i < making.served.size(); ++i) {
-        for (const std::vector<float>& component : values[i])
-            fields.push_back({component, making.served[i].component_bound});
+using MadeLevels = std::vector<std::pair<SceneLevel, LodLevel>>;
+
+/// Levels for what is held; empty with `why` when one of them does not hold, and `broken`: for what.
+MadeLevels attempt(const Making& making, std::string& why, std::vector<std::size_t>& broken) {
+    LodResult made;
+    {
+        std::vector<ComponentValues> values;
+        std::vector<LodField> fields;
+        for (const std::size_t i : making.held) values.push_back(values_of(making, i));
+        for (std::size_t h = 0; h < making.held.size(); ++h) {
+            const auto own = fields_of(making, making.held[h], values[h]);
+            fields.insert(fields.end(), own.begin(), own.end());
+        }
+        made = simplify(making.surface, fields, making.options);
     }
-    LodResult made = simplify(making.surface, fields, making.options);
-    std::vector<std::pair<SceneLevel, LodLevel>> levels;
+    MadeLevels levels;
     std::size_t before = making.surface.triangles.size();
     for (LodLevel& level : made.levels) {
-        report_progress(making.work.progress, "levels", 0.5);
         const auto most = (1 - kWorthwhile) * static_cast<double>(before);
         if (static_cast<double>(level.triangles.size()) > most || level.triangles.empty()) continue;
         before = level.triangles.size();
-        const LevelJudgement judgement = judge_level(
-            making.surface,
-            level.triangles,
-            level.certificate.distance_bound,
-            values.size(),
-            [&](std::size_t i) { return values[i]; }
-        );
-        why = complaint(making, judgement);
+        const Judged judged = judge(making, level);
+        why = complaint(making, judged, broken);
         if (!why.empty()) return {};
-        levels.emplace_back(described(making, level, judgement), std::move(level));
+        levels.emplace_back(described(making, level, judged), std::move(level));
     }
     return levels;
+}
+
+/// How many fields the simplifier may hold.
+std::size_t room_for_fields(const Making& making) {
+    const std::size_t fitting = kFieldBytes / (kBytesOfField * making.surface.triangles.size());
+    return std::clamp(fitting, kLeastFields, kMostFields);
+}
+
+/// True when it was not held before and there is room.
+bool hold(Making& making, std::size_t i, std::size_t& room) {
+    if (making.width(i) > room || std::ranges::find(making.held, i) != making.held.end()) return false;
+    room -= making.width(i);
+    making.held.push_back(i);
+    return true;
+}
+
+/// Everything, or of each result some steps, evenly: then extremes of all steps are kept by name.
+void choose_held(Making& making, std::size_t& room) {
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < making.served.size(); ++i) all += making.width(i);
+    if (all <= room) {
+        for (std::size_t i = 0; i < making.served.size(); ++i) hold(making, i, room);
+        return;
+    }
+    std::size_t half = room / 2;
+    const std::size_t kept_back = room - half;
+    for (std::size_t k = 0; k < kFirstSteps; ++k) {
+        for (std::size_t i = 0; i < making.served.size(); ++i) {
+            const std::size_t steps = making.results[making.served[i].result].values.size();
+            if (making.served[i].values == k * (steps - 1) / (kFirstSteps - 1)) hold(making, i, half);
+        }
+    }
+    room = half + kept_back;
+    std::vector<bool> is_kept(making.surface.positions.size(), false);
+    for (std::size_t i = 0; i < making.served.size(); ++i) {
+        const ComponentValues values = values_of(making, i);
+        for (const VertexIndex v : lasting_extremes(making.surface, fields_of(making, i, values)))
+            is_kept[raw(v)] = true;
+    }
+    for (std::uint32_t v = 0; v < is_kept.size(); ++v) {
+        if (is_kept[v]) making.options.keep.push_back(VertexIndex{v});
+    }
+}
+
+/// Holds more of what was broken, the worst first; then leaves values less freedom.
+MadeLevels search(Making& making, std::string& why) {
+    std::size_t room = room_for_fields(making);
+    choose_held(making, room);
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<std::size_t> broken;
+        why.clear();
+        MadeLevels levels = attempt(making, why, broken);
+        if (why.empty()) return levels;
+        std::size_t more = 0;
+        for (const std::size_t i : broken) {
+            if (more < making.held.size() && hold(making, i, room)) ++more;
+        }
+        if (more == 0) making.options.slip /= 2;
+    }
+    return {};
 }
 
 void note(const Work& work, const std::string& text) {
@@ -255,22 +377,12 @@ void make_levels(
     const std::vector<Point3> positions = scene_positions(surface, options);
     LodSurface drawn = lod_surface(surface);
     drawn.positions = positions;
-    Making making{work, drawn, store, contents.results};
+    Making making{work, drawn, store, contents.results, options};
     making.served = everything_shown(contents.results, store, share_of(wish));
     making.options.targets = targets_of(wish);
     making.options.distance = kDistance * diagonal_of(positions);
-    std::vector<ComponentValues> values;
-    for (const Served& served : making.served) {
-        SurfaceField field = store.field(served.result, served.values);
-        round_as_written(contents.results[served.result], options, field);
-        values.push_back(components_of(field));
-    }
     std::string why;
-    std::vector<std::pair<SceneLevel, LodLevel>> levels;
-    for (making.options.slip = 0.5; making.options.slip > 0.1 && levels.empty(); making.options.slip /= 2) {
-        levels = attempt(making, values, why);
-        if (why.empty()) break;
-    }
+    MadeLevels levels = search(making, why);
     if (!why.empty()) return note(work, "no level of detail: " + why);
     if (levels.empty())
         return note(

@@ -68,24 +68,31 @@ public:
         }
     }
 
-    /// `witness`: per vertex, the triangle of the level that stands for it.
-    Sums of_faces(
-        std::span<const std::uint32_t> faces,
-        std::size_t first,
-        std::size_t last,
-        std::span<std::uint32_t> witness
-    ) const {
+    /// Writes which triangle of the level stands for each sample.
+    Sums of_faces(std::span<const std::uint32_t> faces, std::size_t first, std::size_t last, LodLevel& level)
+        const {
         Sums sums;
         sums.max.assign(fields_.size(), 0);
         sums.squares.assign(fields_.size(), 0);
         for (std::size_t t = first; t < last; ++t) {
             const Face& face = model_.faces[faces[t]];
             for (std::uint32_t s = face.list; s != kNone; s = model_.samples[s].next) {
-                if (s < vertices_) witness[s] = static_cast<std::uint32_t>(t);
+                const auto triangle = static_cast<std::uint32_t>(t);
+                if (s < vertices_)
+                    level.witness[s] = triangle;
+                else if (s < alias_first_)
+                    level.middle_witness[triangle_of(s)] = triangle;
+                else
+                    level.second_witness[s - alias_first_].second = triangle;
                 add(face, origin_of(s), sums);
             }
         }
         return sums;
+    }
+
+    void make_room(LodLevel& level) const {
+        if (alias_first_ > vertices_) level.middle_witness.assign(surface_.triangles.size(), kNone);
+        for (const std::uint32_t v : alias_) level.second_witness.emplace_back(VertexIndex{v}, kNone);
     }
 
     /// Of removed crease points from the lines that stand for them.
@@ -122,12 +129,16 @@ private:
         return std::sqrt(inner(e, e));
     }
 
+    /// Of which it is the middle.
+    std::size_t triangle_of(std::uint32_t sample) const {
+        const std::size_t face = sample - vertices_;
+        return model_.triangle.empty() ? face : model_.triangle[face];
+    }
+
     Origin origin_of(std::uint32_t sample) const {
         if (sample < vertices_) return {{sample, 0, 0}, 1};
         if (sample >= alias_first_) return {{alias_[sample - alias_first_], 0, 0}, 1};
-        const std::size_t face = sample - vertices_;
-        const std::size_t t = model_.triangle.empty() ? face : model_.triangle[face];
-        const auto& v = surface_.triangles[t];
+        const auto& v = surface_.triangles[triangle_of(sample)];
         return {{raw(v[0]), raw(v[1]), raw(v[2])}, 3};
     }
 
@@ -160,8 +171,7 @@ private:
                 is_missing = true;
                 continue;
             }
-            if (!model_.missing.empty() && k < kMaskedFields && ((model_.missing_in(v) >> k) & 1U) != 0)
-                continue;
+            if (!model_.missing.empty() && model_.is_missing(model_.missing_in(v), k)) continue;
             sums.max[k] = std::max(sums.max[k], error);
             sums.squares[k] += error * error;
         }
@@ -208,10 +218,11 @@ LodLevel certified_level(
     LodLevel level;
     const std::vector<std::uint32_t> faces = take_triangles(model, level);
     const Certifier certifier(surface, fields, model);
+    certifier.make_room(level);
     constexpr std::size_t kFaces = 1U << 12U;
     std::vector<Sums> parts((faces.size() + kFaces - 1) / kFaces);
     parallel_chunks(faces.size(), kFaces, [&](std::size_t first, std::size_t last) {
-        parts[first / kFaces] = certifier.of_faces(faces, first, last, level.witness);
+        parts[first / kFaces] = certifier.of_faces(faces, first, last, level);
     });
 
     LodCertificate& certificate = level.certificate;
@@ -242,3 +253,71 @@ LodLevel certified_level(
 }
 
 }  // namespace feelem::lod
+
+namespace feelem {
+namespace {
+
+using lod::kNone;
+
+/// Differences of some fields at one sample; missing on either side: none, the checker looks at that.
+struct Measured {
+    std::vector<double> max, squares;
+    std::uint64_t samples = 0;
+
+    void add(
+        const LodSurface& surface,
+        std::span<const LodField> fields,
+        std::span<const std::uint32_t> of,
+        const std::array<VertexIndex, 3>& t
+    ) {
+        const auto share = 1 / static_cast<double>(of.size());
+        Point3 p{};
+        for (const std::uint32_t v : of) {
+            for (std::size_t axis = 0; axis < 3; ++axis) p[axis] += surface.positions[v][axis] * share;
+        }
+        const auto w = lod::closest_weights(
+            p, surface.positions[raw(t[0])], surface.positions[raw(t[1])], surface.positions[raw(t[2])]
+        );
+        ++samples;
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+            const auto f = fields[k].values;
+            double error = 0;
+            for (const std::uint32_t v : of) error -= static_cast<double>(f[v]) * share;
+            for (std::size_t i = 0; i < 3; ++i) error += w[i] * static_cast<double>(f[raw(t[i])]);
+            if (!std::isfinite(error)) continue;
+            max[k] = std::max(max[k], std::abs(error));
+            squares[k] += error * error;
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<LodFieldError> measure_level(
+    const LodSurface& surface, std::span<const LodField> fields, const LodLevel& level
+) {
+    Measured sums;
+    sums.max.assign(fields.size(), 0);
+    sums.squares.assign(fields.size(), 0);
+    const auto add = [&](std::span<const std::uint32_t> of, std::uint32_t triangle) {
+        if (triangle != kNone) sums.add(surface, fields, of, level.triangles[triangle]);
+    };
+    for (std::uint32_t v = 0; v < level.witness.size(); ++v) add({&v, 1}, level.witness[v]);
+    for (std::size_t t = 0; t < level.middle_witness.size(); ++t) {
+        const auto& c = surface.triangles[t];
+        add(std::array{raw(c[0]), raw(c[1]), raw(c[2])}, level.middle_witness[t]);
+    }
+    for (const auto& [vertex, triangle] : level.second_witness) {
+        const std::uint32_t v = raw(vertex);
+        add({&v, 1}, triangle);
+    }
+    std::vector<LodFieldError> errors(fields.size());
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        errors[k].max = sums.max[k];
+        errors[k].rms =
+            std::sqrt(sums.squares[k] / static_cast<double>(std::max<std::uint64_t>(1, sums.samples)));
+    }
+    return errors;
+}
+
+}  // namespace feelem

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -325,14 +326,29 @@ private:
             if (std::sqrt(same.square) <= distance_) found = same;
         }
         out.max_distance = std::max(out.max_distance, std::sqrt(found.square));
-        compare(v, missing, found, out);
+        if (level_missing_[found.triangle] == missing) return compare(v, missing, {&found, 1}, out);
+        // Fields that are missing at different places may have no place in common: each where it has its
+        // state.
+        std::array<Found, kFieldBits> own;
+        own.fill(found);
+        for (std::uint64_t rest = level_missing_[found.triangle] ^ missing; rest != 0; rest &= rest - 1) {
+            const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
+            const auto has_state = [&](std::uint32_t t) {
+                return ((level_missing_[t] ^ missing) >> bit & 1U) == 0 && suits(t);
+            };
+            Found better = own_place(v, has_state);
+            if (better.triangle == kNowhere) better = tree_.nearest(p, has_state);
+            if (std::sqrt(better.square) <= distance_) own[bit] = better;
+        }
+        compare(v, missing, own, out);
     }
 
-    void compare(std::uint32_t v, std::uint64_t missing, const Found& found, LodCheck& out) const {
-        const Corners& t = level_[found.triangle];
+    void compare(std::uint32_t v, std::uint64_t missing, std::span<const Found> places, LodCheck& out) const {
         bool is_invented = false, is_lost = false;
         for (std::size_t k = 0; k < fields_.size(); ++k) {
             const auto f = fields_[k].values;
+            const Found& found = places[k % places.size()];
+            const Corners& t = level_[found.triangle];
             double shown = 0;
             for (std::size_t i = 0; i < 3; ++i) {
                 if (found.weights[i] != 0) shown += found.weights[i] * static_cast<double>(f[raw(t[i])]);

@@ -181,7 +181,7 @@ float Collapser::guess(const Patch& patch, std::uint32_t from, std::uint32_t m) 
     const std::uint64_t missing =
         model_.missing.empty() ? 0 : model_.missing_in(model_.faces[patch.face[0]].vertex);
     for (std::size_t k = 0; k < width; ++k) {
-        if (((missing >> (k % kMaskedFields)) & 1U) != 0) continue;
+        if (model_.is_missing(missing, k)) continue;
         worst = std::max(worst, std::abs(at[k] - v[k] - b1 * (a[k] - v[k]) - b2 * (b[k] - v[k])));
     }
     return worst;

@@ -162,3 +162,24 @@ void lock_extremes(std::span<const LodField> fields, Model& model) {
 }
 
 }  // namespace feelem::lod
+
+namespace feelem {
+
+std::vector<VertexIndex> lasting_extremes(const LodSurface& surface, std::span<const LodField> fields) {
+    lod::Model model;
+    lod::make_faces(surface, model);
+    std::vector<std::vector<std::uint32_t>> found(2 * fields.size());
+    parallel_chunks(found.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            found[i] = lod::lasting_summits(model, fields[i / 2], i % 2 == 0 ? 1.0F : -1.0F);
+    });
+    std::vector<VertexIndex> vertices;
+    for (const auto& some : found) {
+        for (const std::uint32_t v : some) vertices.push_back(VertexIndex{v});
+    }
+    std::ranges::sort(vertices);
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+}  // namespace feelem

@@ -86,7 +86,7 @@ float Fan::error_at(std::uint32_t sample, std::uint32_t m, float b1, float b2, f
     const float *at = f + sample * width, *v = f + vertex_[0] * width, *a = f + vertex_[m + 1] * width,
                 *b = f + vertex_[m + 2] * width;
     for (std::size_t k = 0; k < width; ++k) {
-        if (((missing_ >> (k % kMaskedFields)) & 1U) != 0) continue;
+        if (missing_ != 0 && model_.is_missing(missing_, k)) continue;
         const float shown = v[k] + b1 * (a[k] - v[k]) + b2 * (b[k] - v[k]);
         worst = std::max(worst, std::abs(at[k] - shown));
     }

@@ -83,21 +83,27 @@ struct Model {
     std::vector<Sample> samples;
     std::vector<float> values;  ///< Samples x fields, each divided by its bound.
     std::size_t field_count = 0;
-    std::vector<std::uint64_t> missing;  ///< Per vertex: bit k = field k has no value; empty: none missing.
-    double scale = 1;                    ///< Largest extent.
+    std::vector<std::uint64_t> missing;  ///< Per vertex: bits of the fields that have no value; empty: none.
+    /// Per field: its bit in `missing`, that of all fields that are missing at the same vertices; kNoBit: a
+    /// field with all its values.
+    std::vector<std::uint8_t> missing_bit;
+    bool shares_bits = false;  ///< More different kinds of missing than bits.
+    double scale = 1;          ///< Largest extent.
     Point3 middle{};
     LodReport report;
 
     std::uint32_t end_of(std::uint32_t edge) const {
         return faces[face_of(edge)].vertex[kNext[slot_of(edge)]];
     }
+    bool is_missing(std::uint64_t bits, std::size_t field) const {
+        return bits != 0 && missing_bit[field] < 64 && ((bits >> missing_bit[field]) & 1U) != 0;
+    }
     std::uint64_t missing_in(const std::array<std::uint32_t, 3>& v) const {
         return missing[v[0]] | missing[v[1]] | missing[v[2]];
     }
 };
 
-/// Fields beyond these have no bit of their own in Model::missing.
-inline constexpr std::size_t kMaskedFields = 64;
+inline constexpr std::uint8_t kNoBit = 64;
 
 /// Unit normals of all faces (zero for a face without area), from the samples of the vertices.
 std::vector<std::array<float, 3>> face_normals(const Model& model);

@@ -68,11 +68,12 @@ float steepest(const Model& model, const Face& face) {
     // |grad|^2 of f = da, db along a, b: (da^2 b.b - 2 da db a.b + db^2 a.a) / |a x b|^2.
     const float aa = dotted(a, a), bb = dotted(b, b), ab = dotted(a, b);
     float most = 0;
+    const std::uint64_t missing = model.missing.empty() ? 0 : model.missing_in(v);
     for (std::size_t k = 0; k < model.field_count; ++k) {
         const float f = model.values[v[0] * model.field_count + k];
         const float da = model.values[v[1] * model.field_count + k] - f;
         const float db = model.values[v[2] * model.field_count + k] - f;
-        if (!model.missing.empty() && k < kMaskedFields && ((model.missing_in(v) >> k) & 1U) != 0) continue;
+        if (model.is_missing(missing, k)) continue;
         most = std::max(most, da * da * bb - 2 * da * db * ab + db * db * aa);
     }
     return std::sqrt(most / area);
@@ -191,13 +192,25 @@ void place_vertices(const LodSurface& surface, Model& model) {
 
 void mark_missing(std::span<const LodField> fields, Model& model) {
     model.field_count = fields.size();
+    model.missing_bit.assign(fields.size(), kNoBit);
+    std::vector<std::size_t> kinds;  // One field of each kind of missing.
     for (std::size_t k = 0; k < fields.size(); ++k) {
-        for (std::size_t v = 0; v < fields[k].values.size(); ++v) {
-            if (std::isfinite(fields[k].values[v])) continue;
-            if (model.missing.empty()) model.missing.assign(model.samples.size(), 0);
-            model.missing[v] |= std::uint64_t{1} << (k % kMaskedFields);
+        const auto values = fields[k].values;
+        const auto is_gone = [](float f) { return !std::isfinite(f); };
+        if (std::ranges::none_of(values, is_gone)) continue;
+        const auto same = std::ranges::find_if(kinds, [&](std::size_t kind) {
+            return std::ranges::equal(values, fields[kind].values, {}, is_gone, is_gone);
+        });
+        const auto kind = static_cast<std::size_t>(same - kinds.begin());
+        model.missing_bit[k] = static_cast<std::uint8_t>(kind % kNoBit);
+        if (same != kinds.end()) continue;
+        kinds.push_back(k);
+        if (model.missing.empty()) model.missing.assign(model.samples.size(), 0);
+        for (std::size_t v = 0; v < values.size(); ++v) {
+            if (is_gone(values[v])) model.missing[v] |= std::uint64_t{1} << model.missing_bit[k];
         }
     }
+    model.shares_bits = kinds.size() > kNoBit;
 }
 
 void fill_samples(

@@ -64,6 +64,10 @@ Model prepared(
     lod::connect(model, normals);
     lod::fill_samples(fields, options, distance, normals, model);
     lod::lock_extremes(fields, model);
+    for (const VertexIndex v : options.keep) {
+        Role& role = model.role[model.place[raw(v)]];
+        if (role != Role::Pinned) role = Role::Locked;
+    }
     for (std::size_t p = 0; p < model.role.size(); ++p) {
         if (model.role[p] == Role::Locked || model.role[p] == Role::Pinned) ++model.report.locked;
     }

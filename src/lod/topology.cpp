@@ -195,7 +195,7 @@ void give_roles(const Buckets& buckets, const FeatureEnds& ends, Model& model) {
     }
 }
 
-/// More fields than bits: where any value is missing, nothing moves.
+/// More kinds of missing than bits: where any value is missing, nothing moves.
 void lock_round_missing(Model& model) {
     for (const Face& face : model.faces) {
         if (model.missing_in(face.vertex) == 0) continue;
@@ -247,7 +247,7 @@ void connect(Model& model, std::span<const std::array<float, 3>> normals) {
     const Buckets buckets = bucket_edges(model);
     pair_edges(buckets, model);
     give_roles(buckets, mark_features(model, normals), model);
-    if (!model.missing.empty() && model.field_count > kMaskedFields) lock_round_missing(model);
+    if (model.shares_bits) lock_round_missing(model);
 }
 
 }  // namespace feelem::lod

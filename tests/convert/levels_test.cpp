@@ -83,6 +83,59 @@ Job plate_with(const std::string& levels, const std::string& folder) {
     return job;
 }
 
+/// A plate of bricks and a hot spot that travels over it in so many steps.
+Job travelling_spot(int steps, const std::string& folder) {
+    constexpr int kSide = 24, kNodes = kSide + 1;
+    const std::string path = scratch_folder("levels/" + folder);
+    std::string nodes = " LIST ALL SELECTED NODES.   DSYS=      0\n\n    NODE        X                   Y   "
+                        "                Z\n";
+    std::string elements =
+        "\n LIST ALL SELECTED ELEMENTS.  (LIST NODES)\n \n    ELEM MAT TYP REL ESY SEC        NODES\n \n";
+    std::string heat;
+    for (int i = 0; i < 2 * kNodes * kNodes; ++i) {
+        nodes += fmt::format(
+            "{:8}{:20.11f}{:20.11f}{:20.11f}\n",
+            i + 1,
+            i % kNodes * 1.0,
+            i / kNodes % kNodes * 1.0,
+            i / kNodes / kNodes * 2.0
+        );
+    }
+    for (int i = 0; i < kSide * kSide; ++i) {
+        elements += fmt::format("{:8}   1   1   1   0   1  ", i + 1);
+        for (const int corner : {0, 1, kNodes + 1, kNodes})
+            elements += fmt::format("{:6}", 1 + i % kSide + i / kSide * kNodes + corner);
+        for (const int corner : {0, 1, kNodes + 1, kNodes})
+            elements += fmt::format("{:6}", 1 + kNodes * kNodes + i % kSide + i / kSide * kNodes + corner);
+        elements += "\n";
+    }
+    for (int step = 1; step <= steps; ++step) {
+        heat += fmt::format(
+            "\n PRINT TEMP NODAL SOLUTION PER NODE\n\n  ***** POST1 NODAL DEGREE OF FREEDOM LISTING *****\n "
+            "\n  "
+            "LOAD STEP=     1  SUBSTEP={:6}\n   TIME= {:10.4f}      LOAD CASE=   0\n \n    NODE    TEMP\n",
+            step,
+            static_cast<double>(step)
+        );
+        for (int i = 0; i < 2 * kNodes * kNodes; ++i) {
+            const double x = i % kNodes - 24.0 * step / steps, y = i / kNodes % kNodes - 11.0;
+            heat += fmt::format("{:8}   {:.5g}\n", i + 1, 20 + 80 * std::exp(-(x * x + y * y) / 40));
+        }
+    }
+    Job job;
+    job.length_unit = "mm";
+    job.read.types = "1=SOLID185";
+    job.steps = "all";
+    job.levels = "4%";
+    job.output = path + "/plate.glb";
+    for (const auto& [name, text] :
+         {std::pair{"n.lis", nodes}, std::pair{"e.lis", elements}, std::pair{"t.lis", heat}}) {
+        write_file(path + "/" + name, text);
+        job.inputs.push_back(path + "/" + name);
+    }
+    return job;
+}
+
 std::vector<std::string> broken(const std::vector<Claim>& claims) {
     std::vector<std::string> names;
     for (const Claim& claim : claims) {
@@ -140,6 +193,15 @@ TEST(Levels, leave_parts_and_missing_values_as_they_are) {
         const int array = file.find(fmt::format("p{}/indices/lod1", p));
         EXPECT_GT(file.integers(array).size(), 300U);
     }
+}
+
+TEST(Levels, hold_at_every_step_even_of_more_than_are_held_at_once) {
+    const Scene scene = converted(travelling_spot(230, "spot"));
+
+    ASSERT_EQ(scene.levels.size(), 1U);
+    EXPECT_EQ(scene.levels[0].values.size(), 230U);
+    EXPECT_LT(scene.levels[0].triangles, scene.parts[0].triangles.size() * 8 / 10);
+    for (const SceneLevelValues& values : scene.levels[0].values) EXPECT_GT(values.max, 0);
 }
 
 TEST(Levels, of_a_small_model_are_made_only_when_they_are_asked_for) {

@@ -247,6 +247,47 @@ TEST(Simplify, bounds_every_field_and_step_that_it_serves) {
     EXPECT_LT(result.levels[0].triangles.size(), model.triangles.size() / 3);
 }
 
+TEST(Simplify, says_the_same_of_a_field_afterwards_as_while_it_was_made) {
+    const LodModel model = test::capped_tube(96, 60, false);
+    const auto fields = bounded(model, 0.02);
+
+    const LodLevel level = simplify(model.surface(), fields, {}).levels[0];
+    const std::vector<LodFieldError> later = measure_level(model.surface(), fields, level);
+
+    ASSERT_FALSE(level.second_witness.empty());
+    EXPECT_DOUBLE_EQ(later[0].max, level.certificate.fields[0].max);
+    EXPECT_NEAR(later[0].rms, level.certificate.fields[0].rms, 0.05 * later[0].rms);
+}
+
+TEST(Simplify, keeps_what_it_is_told_to_keep) {
+    const LodModel model = test::wavy_sheet(40);
+    LodOptions options;
+    for (std::uint32_t v = 100; v < 1600; v += 37) options.keep.push_back(VertexIndex{v});
+
+    const LodLevel level = simplify(model.surface(), bounded(model, 0.2), options).levels[0];
+
+    for (const VertexIndex v : options.keep) EXPECT_TRUE(has_vertex(level, raw(v))) << raw(v);
+    EXPECT_LT(level.vertices.size(), 700U);
+}
+
+TEST(Simplify, extremes_to_keep_are_those_that_it_keeps_by_itself) {
+    const LodModel model = test::wavy_sheet(150);
+    const auto fields = bounded(model, 0.01);
+
+    const std::vector<VertexIndex> found = lasting_extremes(model.surface(), fields);
+
+    std::vector<std::uint32_t> wanted;
+    for (const float sign : {1.0F, -1.0F}) {
+        for (const std::uint32_t v :
+             test::lasting_extremes(model.fields[0], model.triangles, 2 * fields[0].bound, sign))
+            wanted.push_back(v);
+    }
+    std::ranges::sort(wanted);
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(raw(found[i]), wanted[i]);
+}
+
 Code code_of(const LodModel& model, std::span<const LodField> fields, const LodOptions& options) {
     try {
         simplify(model.surface(), fields, options);
