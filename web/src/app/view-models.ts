@@ -83,7 +83,7 @@ export class ViewModels {
       probed: this.#probing.report()?.results.find((r) => r.key === shown.key)?.value ?? null,
       stepText: step ? stepText(step) : "",
       deformText: factor === 0 ? "undeformed" : `deformation × ${numberText(factor, 4)}`,
-      levelText: this.#view.levelText,
+      levelText: this.#view.scene.extras.levels ? this.#view.levelText : null,
       shading: state.shading,
       isolines: colourEntry(state.doc)?.isolines === true,
       hatch: colourEntry(state.doc)?.nanHatch !== false,

@@ -17,8 +17,8 @@ export interface LegendModel {
   readonly palette: Palette;
   readonly stepText: string;
   readonly deformText: string;
-  /** What may be wrong with the picture while a reduced level of detail is drawn; empty: nothing is. */
-  readonly levelText: string;
+  /** What may be wrong with the picture while a reduced level of detail is drawn; empty: nothing is; null: there is none. */
+  readonly levelText: string | null;
   /** Value under the pointer. */
   readonly probed: number | null;
   readonly shading: boolean;
@@ -155,6 +155,8 @@ export function limitWord(shown: Pick<Shown, "limit" | "limitLabel">): string {
   return limitLabel && !limitLabel.startsWith(numberText(limit)) ? limitLabel : "limit";
 }
 
+const LEVEL_HINT = "Fewer triangles are drawn than the model has. What is read, heard and felt is exact.";
+
 export function legendTemplate(model: LegendModel | null, actions: Actions): TemplateResult {
   if (!model)
     return html`<aside class="legend empty" aria-label="Legend"><p>No result is seen. Choose one under <b>Colour</b>.</p></aside>`;
@@ -170,6 +172,7 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
   return html`<aside class="legend" aria-label="Legend">
     <h2>${shown.label}<span class="unit">${unit || "unit not given"}</span></h2>
     <p class="legend-step">${model.stepText}</p>
+    ${model.levelText === null ? null : html`<p class="legend-level" title=${LEVEL_HINT}>${model.levelText ? `drawn with ${model.levelText}` : "all triangles are drawn"}</p>`}
     <div class="legend-scale">
       <div class="legend-bar">
         <canvas class="legend-canvas" role="img" aria-label="colours of ${shown.label}"></canvas>
@@ -194,6 +197,5 @@ export function legendTemplate(model: LegendModel | null, actions: Actions): Tem
       <p class="legend-note">${model.deformText}</p>
     </details>
     ${model.shading ? html`<p class="legend-note">shaded: colours on the model are darker than here</p>` : null}
-    ${model.levelText ? html`<p class="legend-note legend-level" title="Fewer triangles are drawn. What is read, heard and felt is exact.">drawn with ${model.levelText}; readings are exact</p>` : null}
   </aside>`;
 }

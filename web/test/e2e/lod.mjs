@@ -13,7 +13,7 @@ const BOILER = `${ROOT}examples/boiler/hex_linear/static.frd`;
 const state = () => window.feelem.state();
 const probe = () => window.feelem.lastProbe();
 const drawn = (level) => (s) => s.levels.drawn === level;
-const WORDS = /values within ±1 % \(±[0-9.]+\); readings are exact/;
+const WORDS = /^drawn with values within ±1 % \(±[0-9.]+\)$/;
 
 export const lodTests = [
   {
