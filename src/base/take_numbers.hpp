@@ -66,6 +66,19 @@ inline bool take_digits(const char*& at, std::int64_t& out) {
     return true;
 }
 
+/// Blanks, then digits up to where a field of known columns ends, at most eight; bits are set in `bad` when
+/// it is anything else. Eight bytes before `last` must be readable, though they be another field's.
+inline std::uint32_t digits_between(const char* first, const char* last, std::uint64_t& bad) {
+    const auto width = static_cast<std::size_t>(last - first);
+    std::uint64_t word = load8(last - 8);
+    if (width < 8) {
+        const std::uint64_t before = ~std::uint64_t{0} >> (8 * width);
+        word = (word & ~before) | (0x2020202020202020 & before);
+    }
+    for (const char* p = first; p < last - 8; ++p) bad |= static_cast<std::uint64_t>(*p ^ ' ');
+    return eight_columns(word, bad);
+}
+
 /// digits x 10^exponent in one rounding, where that is exact.
 inline bool scale_exactly(std::uint64_t digits, int exponent, bool negative, double& out) {
     constexpr std::uint64_t kMostDigits = std::uint64_t{1} << 53;

@@ -6,6 +6,7 @@
 #include "feelem/ids.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -15,6 +16,15 @@ struct CollapsedElement {
     ElementType type = ElementType::Point1;
     std::array<NodeIndex, kMaxElementNodes> nodes{};
 };
+
+/// Whether no two corners are one.
+inline bool all_differ(std::span<const NodeIndex> corners) {
+    unsigned equal = 0;  // Counted: a branch each would cost more.
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        for (std::size_t j = i + 1; j < corners.size(); ++j) equal += corners[i] == corners[j];
+    }
+    return equal == 0;
+}
 
 /// The simpler standard element behind a row with repeated corners, or nothing when it has no repeats or is
 /// no standard shape (then it stays as it is, and its facets are collapsed one by one in the skin). Mid-side

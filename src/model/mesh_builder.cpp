@@ -122,15 +122,29 @@ bool MeshBuilder::resolve(
     return true;
 }
 
+bool MeshBuilder::resolve_plain(std::span<const NodeId> nodes, const ElementRow& row) {
+    if (nodes.size() != row.node_count) return false;
+    unsigned odd = 0;  // Counted: a branch each would cost more.
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        resolved_[i] = (*lookup_)(nodes[i]);
+        odd += resolved_[i] == kNoNode;
+    }
+    // A node 0 may exist, but as a mid-side node it is one that is left out.
+    for (std::size_t i = row.corner_count; i < nodes.size(); ++i) odd += nodes[i] == NodeId{0};
+    return odd == 0 && (row.dimension < 2 || all_differ(std::span(resolved_).first(row.corner_count)));
+}
+
 ElementBlock& MeshBuilder::block_of(ElementType type) {
     int& index = block_by_type_[static_cast<std::size_t>(type)];
     if (index < 0) {
+        std::size_t expected = expected_elements_;
+        for (const ElementBlock& block : mesh_.blocks) expected -= std::min(expected, block.ids.size());
         index = static_cast<int>(mesh_.blocks.size());
         ElementBlock& block = mesh_.blocks.emplace_back();
         block.type = type;
-        reserve_big(block.ids, expected_elements_);
-        reserve_big(block.parts, expected_elements_);
-        reserve_big(block.nodes, expected_elements_ * element_row(type).node_count);
+        reserve_big(block.ids, expected);
+        reserve_big(block.parts, expected);
+        reserve_big(block.nodes, expected * element_row(type).node_count);
     }
     return mesh_.blocks[static_cast<std::size_t>(index)];
 }
@@ -141,6 +155,14 @@ void MeshBuilder::add_element(
     assert(lookup_ && "seal_nodes() first");
     const ElementRow* row = &element_row(type);
     assert(nodes.size() >= row->corner_count && nodes.size() <= row->node_count);
+    if (resolve_plain(nodes, *row)) {
+        ElementBlock& block = block_of(type);
+        block.ids.push_back(id);
+        block.parts.push_back(part);
+        const auto first = resolved_.begin();
+        block.nodes.insert(block.nodes.end(), first, first + row->node_count);
+        return;
+    }
     resolved_.fill(kNoNode);
     if (!resolve(nodes, row->corner_count, id, where)) return;
 

@@ -37,6 +37,8 @@ public:
 
     /// The part of that name, made on first use.
     PartIndex part(std::string_view name);
+    /// So many elements are to come, at most: their memory is taken at once.
+    void expect_elements(std::size_t count) { expected_elements_ = count; }
     /// `nodes` in Feelem's order; NodeId{0} where a mid-side node is left out. A row shorter than the type's
     /// nodes (down to its corners) leaves out the rest. Rows that repeat nodes become the simpler shape they
     /// are; rows without any mid-side node become linear. An unknown node leaves the element out
@@ -63,6 +65,8 @@ public:
     Mesh finish();
 
 private:
+    /// All nodes given and known, no corner twice: nearly every element. False: the general way.
+    bool resolve_plain(std::span<const NodeId> nodes, const ElementRow& row);
     bool resolve(std::span<const NodeId> nodes, std::size_t corners, ElementId id, const Where& where);
     ElementBlock& block_of(ElementType type);
 
@@ -74,6 +78,7 @@ private:
     std::map<std::string, PartIndex, std::less<>> part_by_name_;
     std::array<int, kElementTypeCount> block_by_type_{};
     std::array<NodeIndex, kMaxElementNodes> resolved_{};
+    std::size_t expected_elements_ = 0;
 };
 
 }  // namespace feelem

@@ -17,10 +17,7 @@ NodeLookup::NodeLookup(std::span<const NodeId> sorted_ids) : ids_(sorted_ids) {
     }
 }
 
-NodeIndex NodeLookup::operator()(NodeId id) const noexcept {
-    const auto offset = static_cast<std::uint64_t>(raw(id)) - static_cast<std::uint64_t>(first_);
-    if (consecutive_) return offset < ids_.size() ? NodeIndex{static_cast<std::uint32_t>(offset)} : kNoNode;
-    if (!dense_.empty()) return offset < dense_.size() ? dense_[offset] : kNoNode;
+NodeIndex NodeLookup::search(NodeId id) const noexcept {
     const auto found = std::ranges::lower_bound(ids_, id);
     if (found == ids_.end() || *found != id) return kNoNode;
     return NodeIndex{static_cast<std::uint32_t>(found - ids_.begin())};

@@ -15,12 +15,20 @@ public:
     /// `sorted_ids` strictly ascending; not copied, keep it alive.
     explicit NodeLookup(std::span<const NodeId> sorted_ids);
     /// kNoNode when there is no such node.
-    NodeIndex operator()(NodeId id) const noexcept;
+    NodeIndex operator()(NodeId id) const noexcept {
+        const auto offset = static_cast<std::uint64_t>(raw(id)) - static_cast<std::uint64_t>(first_);
+        if (consecutive_)
+            return offset < ids_.size() ? NodeIndex{static_cast<std::uint32_t>(offset)} : kNoNode;
+        if (!dense_.empty()) return offset < dense_.size() ? dense_[offset] : kNoNode;
+        return search(id);
+    }
     /// All of them to `out`; false when one is not there. The same as one after the other, without a branch
     /// each.
     bool find(std::span<const std::int64_t> ids, NodeIndex* out) const noexcept;
 
 private:
+    NodeIndex search(NodeId id) const noexcept;
+
     std::span<const NodeId> ids_;
     std::int64_t first_ = 0;
     bool consecutive_ = false;      ///< ids are first, first + 1, ...: no table needed.

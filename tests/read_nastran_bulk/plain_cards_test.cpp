@@ -153,6 +153,36 @@ TEST(PlainCards, with_anything_else_in_them_are_read_the_same_or_refused) {
     EXPECT_GT(read, 10'000U);
 }
 
+TEST(FreeCards, read_by_the_commas_of_the_card_before_are_the_same_or_refused) {
+    constexpr std::string_view kStrange = " \n\r,,+*$0123456789.-E";
+    std::mt19937 random(11);
+    const auto below = [&](std::size_t n) { return random() % n; };
+    std::size_t read = 0;
+    for (int round = 0; round < 20'000; ++round) {
+        const std::string first = below(2) == 0 ? "CHEXA,1,1,1,2,102,101,10001,10002,+\n+,10102,10101\n"
+                                                : "CHEXA,7,,1,2,102,101,10001,10002\r\n,10102,10101\r\n";
+        std::string second = first;
+        for (std::size_t k = 0; k < below(4); ++k)
+            second[6 + below(second.size() - 6)] = kStrange[below(kStrange.size())];
+        const std::string text = "CEND\nBEGIN BULK\n" + first + second + kRoom;
+        const std::size_t at = text.find("CHEXA");
+        FreeCards cards;
+        PlainFields fields;
+        if (!cards.read(text, at, 5, 22, fields)) continue;
+        if (!cards.read(text, at + first.size(), 5, 22, fields)) continue;
+        ++read;
+        SCOPED_TRACE(second);
+        const General general = general_way(text, at + first.size());
+        for (std::size_t i = 0; i < 22; ++i) {
+            ASSERT_EQ(
+                fields.values[i], general.card.is_blank(i + 1) ? kBlankField : general.card.integer(i + 1)
+            ) << "field "
+              << i + 1;
+        }
+    }
+    EXPECT_GT(read, 8'000U);
+}
+
 TEST(PlainCards, near_the_end_of_the_text_are_refused) {
     for (const std::string& card : usual_cards()) {
         for (const std::size_t room : {0U, 1U, 7U, 40U, 63U}) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/abaqus/deck_elements.hpp"
 
+#include "read/abaqus/plain_rows.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <span>
 
 namespace feelem::abaqus {
 namespace {
@@ -14,7 +18,10 @@ public:
         : deck_(deck), lines_(deck, keyword), diagnostics_(diagnostics) {}
 
     void read_shapes(ElementRun& run) {
-        while (auto line = lines_.next()) {
+        for (;;) {
+            take_plain_rows(run);
+            auto line = lines_.next();
+            if (!line) return;
             const Label id = take_label(*line, deck_, lines_);
             if (id == 0) throw_bad_number("", "the number of an element", deck_, lines_);
             if (!read_nodes(line, run)) {
@@ -25,10 +32,7 @@ public:
                 );
                 return;
             }
-            run.ids.push_back(id);
-            const auto& order = run.type.order;
-            for (std::size_t i = 0; i < run.type.most_nodes; ++i)
-                run.nodes.push_back(nodes_[order.empty() ? i : order[i]]);
+            add_row(run, id);
         }
     }
 
@@ -45,6 +49,44 @@ public:
     void release() const { lines_.release(); }
 
 private:
+    void add_row(ElementRun& run, Label id) {
+        run.ids.push_back(id);
+        const auto& order = run.type.order;
+        const auto first = nodes_.begin();
+        if (order.empty()) {
+            run.nodes.insert(run.nodes.end(), first, first + run.type.most_nodes);
+        } else {
+            for (std::size_t i = 0; i < run.type.most_nodes; ++i) run.nodes.push_back(nodes_[order[i]]);
+        }
+    }
+
+    /// Rows as programs write them, as long as they follow each other.
+    void take_plain_rows(ElementRun& run) {
+        const std::string_view text = lines_.ahead();
+        const char* at = text.data();
+        const char* const end = at + text.size();
+        const std::size_t width = run.type.most_nodes;
+        const std::size_t shortest = 2 * (width + 1);
+        Label id = 0;
+        RowColumns columns;
+        const auto nodes = std::span(nodes_).first(width);
+        const auto take_row = [&] {
+            const bool is_like = columns.length != 0 && end - at >= kRoomForRow;
+            return (is_like && take_like_element_row(at, id, nodes, columns)) ||
+                   take_element_row(at, end, id, nodes, columns);
+        };
+        while (take_row()) {
+            add_row(run, id);
+            if (run.ids.size() != run.ids.capacity()) continue;
+            // As many more as rows of this length make.
+            const auto row = std::max(static_cast<std::size_t>(at - text.data()), shortest);
+            const std::size_t more = run.ids.size() / 2 + static_cast<std::size_t>(end - at) / row;
+            run.ids.reserve(run.ids.size() + more);
+            run.nodes.reserve(run.nodes.size() + more * width);
+        }
+        if (at != text.data()) lines_.go_on_at(at);
+    }
+
     /// A row goes on in the next line until it has its nodes. Where a type may have fewer, a line without a
     /// comma at its end is the last one. False: the lines end before.
     bool read_nodes(std::optional<std::string_view> line, const ElementRun& run) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstring>
 #include <utility>
 
 namespace feelem::abaqus {
@@ -18,6 +19,8 @@ namespace {
 
 constexpr std::size_t kMostIncludes = 4096;
 constexpr std::size_t kDeepestInclude = 32;
+/// Smaller files need not be let go of: they are read again at once.
+constexpr std::size_t kKeptMapped = std::size_t{32} << 20U;
 
 std::string squeezed(std::string_view text) {
     std::string out;
@@ -73,6 +76,27 @@ bool is_comment(std::string_view line) {
     return text.starts_with("**") || text == "*";
 }
 
+/// Where the next line starts that is a keyword, from the line at `at` on; the text's end when there is none.
+/// Looked for by its star: data lines, nearly all of a deck, are not looked at one by one.
+std::size_t next_keyword(std::string_view text, std::size_t at) {
+    const auto find = [&](char c, std::size_t from) {
+        const void* found = std::memchr(text.data() + from, c, text.size() - from);
+        return found == nullptr ? text.size()
+                                : static_cast<std::size_t>(static_cast<const char*>(found) - text.data());
+    };
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\0'; };
+    for (std::size_t star = find('*', at); star < text.size();) {
+        std::size_t start = star;
+        while (start > at && is_blank(text[start - 1])) --start;
+        const std::size_t end = find('\n', star);
+        const bool leads = start == at || text[start - 1] == '\n';
+        if (leads && is_keyword(text.substr(start, end - start))) return start;
+        at = std::min(end + 1, text.size());
+        star = at < text.size() ? find('*', at) : at;
+    }
+    return text.size();
+}
+
 /// Reads a keyword's line and the lines it goes on in; `lines` stands behind its first line.
 Keyword read_keyword(std::string_view line, TextLines& lines) {
     std::string text(line);
@@ -106,25 +130,30 @@ private:
     void scan_file(std::uint32_t file) {
         open_.push_back(file);
         const Input input = deck_.files[file];
-        TextLines lines(input, 0, input.size());
         LineRange data{file, 0, 0};
-        while (const auto line = lines.next()) {
-            if (!is_keyword(*line)) {
-                if (wants_title_ && !is_comment(*line)) take_title(*line);
-                continue;
-            }
-            data.end = lines.line_start();
+        while (data.begin < input.size()) {
+            if (wants_title_) find_title(input, data.begin);
+            data.end = next_keyword(input.text(), data.begin);
             add_data(data);
-            Keyword keyword = read_keyword(*line, lines);
+            if (data.end == input.size()) break;
+            TextLines lines(input, data.end, input.size());
+            const std::string_view line = lines.next().value_or(std::string_view{});
+            Keyword keyword = read_keyword(line, lines);
             keyword.file = file;
             keyword.offset = data.end;
             data.begin = lines.offset();
             use(std::move(keyword), input);
         }
-        data.end = input.size();
-        add_data(data);
-        input.release(0, input.size());
+        if (input.size() > kKeptMapped) input.release(0, input.size());
         open_.pop_back();
+    }
+
+    /// The title is the first line that says something behind *HEADING.
+    void find_title(const Input& input, std::size_t first) {
+        TextLines lines(input, first, input.size());
+        for (auto line = lines.next(); line && wants_title_ && !is_keyword(*line); line = lines.next()) {
+            if (!is_comment(*line)) take_title(*line);
+        }
     }
 
     void use(Keyword keyword, const Input& input) {
@@ -223,11 +252,15 @@ Deck scan_decks(std::span<const Input> roots, IncludeFiles* includes, Diagnostic
 
 std::vector<std::string> included_names(const Input& input) {
     std::vector<std::string> names;
-    TextLines lines(input, 0, input.size());
-    while (const auto line = lines.next()) {
-        if (!is_keyword(*line) || squeezed(*line).find("INPUT=") == std::string::npos) continue;
-        const Keyword keyword = read_keyword(*line, lines);
-        if (keyword.has("INPUT")) names.push_back(keyword.value("INPUT"));
+    std::size_t at = next_keyword(input.text(), 0);
+    while (at < input.size()) {
+        TextLines lines(input, at, input.size());
+        const std::string_view line = lines.next().value_or(std::string_view{});
+        if (squeezed(line).find("INPUT=") != std::string::npos) {
+            const Keyword keyword = read_keyword(line, lines);
+            if (keyword.has("INPUT")) names.push_back(keyword.value("INPUT"));
+        }
+        at = lines.offset() < input.size() ? next_keyword(input.text(), lines.offset()) : input.size();
     }
     return names;
 }
@@ -290,16 +323,34 @@ std::optional<std::string_view> DataLines::next() {
     }
 }
 
+bool DataLines::open_range() {
+    while (!lines_ || lines_->offset() >= keyword_->data[range_ - 1].end) {
+        if (range_ >= keyword_->data.size()) return false;
+        const LineRange& range = keyword_->data[range_++];
+        lines_.emplace(deck_->files[range.file], range.begin, range.end);
+    }
+    return true;
+}
+
 std::optional<std::string_view> DataLines::next_or_empty() {
     for (;;) {
-        while (!lines_ || lines_->offset() >= keyword_->data[range_ - 1].end) {
-            if (range_ >= keyword_->data.size()) return {};
-            const LineRange& range = keyword_->data[range_++];
-            lines_.emplace(deck_->files[range.file], range.begin, range.end);
-        }
+        if (!open_range()) return {};
         const auto line = lines_->next();
         if (line && !is_comment(*line)) return trim(*line);
     }
+}
+
+std::string_view DataLines::ahead() {
+    if (!open_range()) return {};
+    const LineRange& range = keyword_->data[range_ - 1];
+    const std::string_view text = deck_->files[range.file].text();
+    return text.substr(lines_->offset(), range.end - lines_->offset());
+}
+
+void DataLines::go_on_at(const char* at) {
+    const LineRange& range = keyword_->data[range_ - 1];
+    const Input& file = deck_->files[range.file];
+    lines_.emplace(file, static_cast<std::size_t>(at - file.text().data()), range.end);
 }
 
 std::string DataLines::where() const {

@@ -72,12 +72,19 @@ public:
     std::optional<std::string_view> next();
     /// The next line even if it is empty, where an empty line stands for values that are left out.
     std::optional<std::string_view> next_or_empty();
+    /// The lines that are left of one run of them, the file's text behind them, for whoever takes rows off
+    /// their front by himself and then says where he came to. Empty at the end.
+    std::string_view ahead();
+    void go_on_at(const char* at);
     /// Of the line that next() gave.
     std::string where() const;
     /// Tells the system that the lines so far are not needed for now.
     void release() const;
 
 private:
+    /// False when there are no more lines.
+    bool open_range();
+
     const Deck* deck_;
     const Keyword* keyword_;
     std::size_t range_ = 0;

@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -20,35 +22,54 @@ namespace {
 
 constexpr const char* kWithoutSection = "without section";
 
-std::size_t position_of(const std::vector<Label>& sorted, Label label) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(sorted, label) - sorted.begin());
+/// Positions of labels, most often asked for in their order.
+class PositionFinder {
+public:
+    explicit PositionFinder(const std::vector<Label>& sorted) : sorted_(sorted) {}
+    std::size_t operator()(Label label) const {
+        if (next_ >= sorted_.size() || sorted_[next_] != label)
+            next_ = static_cast<std::size_t>(std::ranges::lower_bound(sorted_, label) - sorted_.begin());
+        return next_++;
+    }
+
+private:
+    const std::vector<Label>& sorted_;
+    mutable std::size_t next_ = 0;
+};
+
+/// Ascending, each once.
+template <class Id>
+void sort_and_unite(std::vector<Id>& ids) {
+    if (std::ranges::adjacent_find(ids, std::ranges::greater_equal{}) == ids.end()) return;
+    std::ranges::sort(ids);
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
 /// The part of each element of a scope: the set that its section is given to, else the set it was defined in.
 class SectionParts {
 public:
     SectionParts(const std::vector<FlatScope>& scopes, std::size_t at, SetMembers& members)
-        : scope_(scopes[at]), section_(scope_.element_ids.size(), 0) {
-        for (const Scope* table : scope_.tables) {
+        : position_(scopes[at].element_ids), section_(scopes[at].element_ids.size(), 0) {
+        for (const Scope* table : scopes[at].tables) {
             for (const std::string& name : table->sections) {
                 names_.push_back(name);
                 const DeckSet* set = table->element_sets.find(folded(name));
                 if (set == nullptr) continue;
                 members.for_each(at, *set, [&](std::size_t where, Label label) {
-                    if (where == at) section_[position_of(scope_.element_ids, label)] = names_.size();
+                    if (where == at) section_[position_(label)] = static_cast<std::uint32_t>(names_.size());
                 });
             }
         }
     }
     const std::string& name_of(Label label, const ElementRun& run) const {
-        const std::size_t section = section_[position_of(scope_.element_ids, label)];
+        const std::size_t section = section_[position_(label)];
         if (section > 0) return names_[section - 1];
         return run.set.empty() ? nothing_ : run.set;
     }
 
 private:
-    const FlatScope& scope_;
-    std::vector<std::size_t> section_;  ///< Of element_ids; 0: none, else its place in names_ + 1.
+    PositionFinder position_;
+    std::vector<std::uint32_t> section_;  ///< Of element_ids; 0: none, else its place in names_ + 1.
     std::vector<std::string> names_;
     const std::string nothing_ = kWithoutSection;
 };
@@ -65,6 +86,9 @@ public:
         add_nodes();
         const auto has_elements = [](const FlatScope& scope) { return !scope.element_ids.empty(); };
         by_section_ = std::ranges::count_if(scopes_, has_elements) <= 1;
+        std::size_t elements = 0;
+        for (const FlatScope& scope : scopes_) elements += scope.element_ids.size();
+        builder_.expect_elements(elements);
         for (std::size_t at = 0; at < scopes_.size(); ++at) add_elements(at);
         count_skipped();
         add_node_sets();
@@ -214,9 +238,18 @@ private:
             scope.element(run.ids[row]),
             type,
             std::span(nodes).first(count),
-            builder_.part(part),
+            part_called(part),
             [&] { return deck_.where(deck_.keywords[run.keyword]); }
         );
+    }
+
+    /// Elements of a part follow each other: its name is looked up once.
+    PartIndex part_called(const std::string& name) {
+        if (!last_part_ || name != last_part_name_) {
+            last_part_ = builder_.part(name);
+            last_part_name_ = name;
+        }
+        return *last_part_;
     }
 
     void count_skipped() {
@@ -248,8 +281,7 @@ private:
                     node_members_.for_each(at, set, [&](std::size_t where, Label label) {
                         ids.push_back(scopes_[where].node(label));
                     });
-                    std::ranges::sort(ids);
-                    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+                    sort_and_unite(ids);
                     builder_.add_node_set(set_name(scopes_[at], set), ids);
                 }
             }
@@ -266,8 +298,7 @@ private:
                     element_members_.for_each(at, set, [&](std::size_t where, Label label) {
                         ids.push_back(scopes_[where].element(label));
                     });
-                    std::ranges::sort(ids);
-                    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+                    sort_and_unite(ids);
                     add_element_set(mesh, lookup, set_name(scopes_[at], set), ids);
                 }
             }
@@ -281,6 +312,8 @@ private:
     MeshBuilder builder_;
     SetMembers node_members_, element_members_;
     bool by_section_ = true;
+    std::optional<PartIndex> last_part_;
+    std::string last_part_name_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "read/abaqus/deck_elements.hpp"
 #include "read/abaqus/deck_generate.hpp"
+#include "read/abaqus/plain_rows.hpp"
 
 #include "feelem/error.hpp"
 
@@ -138,17 +139,50 @@ private:
         const SystemKind kind = system_kind(keyword.value("SYSTEM"));
         DeckSet* set = keyword.has("NSET") ? &into.node_sets.get(keyword.value("NSET")) : nullptr;
         DataLines lines(deck_, keyword);
-        while (auto line = lines.next()) {
-            const Label id = take_label(*line, deck_, lines);
-            if (id == 0) throw_bad_number("", "the number of a node", deck_, lines);
-            Point3 place;
-            for (double& x : place) x = take_number(*line, 0, deck_, lines);
+        const auto add = [&](Label id, Point3 place) {
             if (kind != SystemKind::Rectangular) place = cartesian(kind, place);
             into.node_ids.push_back(id);
             into.places.push_back(placed(system_, place));
             if (set != nullptr) add_label(*set, id);
+        };
+        for (;;) {
+            take_plain_nodes(lines, into, add);
+            auto line = lines.next();
+            if (!line) break;
+            const Label id = take_label(*line, deck_, lines);
+            if (id == 0) throw_bad_number("", "the number of a node", deck_, lines);
+            Point3 place;
+            for (double& x : place) x = take_number(*line, 0, deck_, lines);
+            add(id, place);
         }
         lines.release();
+    }
+
+    /// Rows as programs write them, as long as they follow each other.
+    template <class Add>
+    static void take_plain_nodes(DataLines& lines, Scope& into, const Add& add) {
+        constexpr std::size_t kShortest = 8;
+        const std::string_view text = lines.ahead();
+        const char* at = text.data();
+        const char* const end = at + text.size();
+        Label id = 0;
+        Point3 place;
+        RowColumns columns;
+        const auto take_row = [&] {
+            const bool is_like = columns.length != 0 && end - at >= kRoomForRow;
+            return (is_like && take_like_node_row(at, id, place, columns)) ||
+                   take_node_row(at, end, id, place, columns);
+        };
+        while (take_row()) {
+            add(id, place);
+            if (into.node_ids.size() != into.node_ids.capacity()) continue;
+            // As many more as rows of this length make.
+            const auto row = std::max(static_cast<std::size_t>(at - text.data()), kShortest);
+            const std::size_t more = into.node_ids.size() / 2 + static_cast<std::size_t>(end - at) / row;
+            into.node_ids.reserve(into.node_ids.size() + more);
+            into.places.reserve(into.node_ids.size() + more);
+        }
+        if (at != text.data()) lines.go_on_at(at);
     }
 
     void elements(const Keyword& keyword, std::size_t index) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,6 +46,9 @@ constexpr std::array<FrdType, 12> kTypes{{
     {ElementType::Line3, {}},
 }};
 
+constexpr std::size_t kMark = 3;  ///< " -1" or " -2" before each line.
+constexpr std::size_t kRealWidth = 12;
+constexpr std::size_t kAttributes = 15;    ///< Columns of type, group and material.
 constexpr std::size_t kWindow = 4u << 20;  ///< Bytes read before the pages behind are let go.
 
 /// Lets go of what was read, a window at a time.
@@ -106,6 +110,11 @@ public:
         read_nodes(layout_.nodes);
         builder_.seal_nodes();
         if (layout_.has_elements) {
+            constexpr std::size_t kShortestElement = 24;
+            const Body& body = layout_.elements;
+            builder_.expect_elements(
+                std::min<std::size_t>(body.count, (body.last - body.first) / kShortestElement)
+            );
             is_text(layout_.elements.coding) ? read_text_elements(layout_.elements)
                                              : read_binary_elements(layout_.elements);
         }
@@ -146,7 +155,9 @@ private:
         const std::size_t id_columns = id_width(body.coding);
         Lines lines{input_.text(), body.first, body.last};
         Trail trail(input_, body.first);
-        while (!lines.done()) {
+        for (;;) {
+            take_plain_nodes(lines, trail, id_columns);
+            if (lines.done()) break;
             record_ = lines.at;
             const std::string_view line = lines.take();
             bool ok = line.starts_with(" -1");
@@ -161,6 +172,37 @@ private:
             trail.at(lines.at);
         }
         trail.end(body.last);
+    }
+
+    /// Records as CalculiX writes them, as long as they follow each other: all equally long, so that no line
+    /// end is looked for.
+    void take_plain_nodes(Lines& lines, Trail& trail, std::size_t id_columns) {
+        const char* const text = lines.text.data();
+        const char* const last = text + lines.last;
+        const char* at = text + lines.at;
+        const std::size_t used = kMark + id_columns + 3 * kRealWidth;
+        if (static_cast<std::size_t>(last - at) < used + 2) return;
+        const std::size_t length = used + (at[used] == '\r' ? 2 : 1);
+        while (static_cast<std::size_t>(last - at) >= length) {
+            std::uint64_t odd = 0;
+            std::int64_t id = 0;
+            const char* field = at + kMark + id_columns;
+            Point3 point;
+            for (double& x : point) {
+                x = real12<double>(field, odd);
+                field += kRealWidth;
+            }
+            if (odd != 0 || !starts_with(at, " -1") || !fast_integer(at + kMark, id_columns, id)) break;
+            if (at[length - 1] != '\n' || (length == used + 2 && *field != '\r')) break;
+            builder_.add_node(NodeId{id}, point);
+            at += length;
+            trail.at(static_cast<std::size_t>(at - text));
+        }
+        lines.at = static_cast<std::size_t>(at - text);
+    }
+
+    static bool starts_with(const char* at, const char* mark) {
+        return at[0] == mark[0] && at[1] == mark[1] && at[2] == mark[2];
     }
 
     void read_binary_nodes(const Body& body) {
@@ -204,7 +246,9 @@ private:
         const std::size_t id_columns = id_width(body.coding);
         Lines lines{input_.text(), body.first, body.last};
         Trail trail(input_, body.first);
-        while (!lines.done()) {
+        for (;;) {
+            take_plain_elements(lines, trail, id_columns);
+            if (lines.done()) break;
             record_ = lines.at;
             const std::string_view line = lines.take();
             bool ok = line.starts_with(" -1");
@@ -213,9 +257,74 @@ private:
             if (!ok) bad_record("an element", line);
             const std::size_t material = std::min(13 + id_columns, line.size());
             read_element_nodes(lines, id, type, trim(line.substr(material, 5)), id_columns);
+            remember(lines, line, type, id_columns);
             trail.at(lines.at);
         }
         trail.end(body.last);
+    }
+
+    /// What the element just read is like, for take_plain_elements().
+    void remember(const Lines& lines, std::string_view head, std::int64_t type, std::size_t id_columns) {
+        like_ = {};
+        const std::size_t head_length = kMark + id_columns + kAttributes;
+        if (type < 1 || type > std::ssize(kTypes) || head.size() != head_length) return;
+        like_.type = static_cast<std::size_t>(type) - 1;
+        like_.attributes = head.substr(kMark + id_columns);
+        like_.line_end = lines.text[record_ + head_length] == '\r' ? 2 : 1;
+        const std::size_t nodes = element_row(kTypes[like_.type].type).node_count;
+        like_.per_line = id_columns == 10 ? 10 : 15;
+        const std::size_t node_lines = (nodes + like_.per_line - 1) / like_.per_line;
+        like_.length =
+            head_length + like_.line_end + node_lines * (kMark + like_.line_end) + nodes * id_columns;
+        if (lines.at - record_ != like_.length) like_ = {};
+    }
+
+    /// Elements like the one before, as long as they follow each other: their lines are as long as its.
+    void take_plain_elements(Lines& lines, Trail& trail, std::size_t id_columns) {
+        if (like_.length == 0) return;
+        const char* const text = lines.text.data();
+        const char* const last = text + lines.last;
+        const char* at = text + lines.at;
+        std::array<NodeId, 20> nodes{};
+        const FrdType& type = kTypes[like_.type];
+        const auto wanted = std::span(nodes).first(element_row(type.type).node_count);
+        // Another line of nodes may follow the last one.
+        while (static_cast<std::size_t>(last - at) >= like_.length + kMark) {
+            std::int64_t id = 0;
+            if (!take_plain_element(at, id_columns, id, wanted) || starts_with(at + like_.length, " -2"))
+                break;
+            record_ = static_cast<std::size_t>(at - text);
+            add_element(id, type, wanted, last_part_);
+            at += like_.length;
+            trail.at(static_cast<std::size_t>(at - text));
+        }
+        lines.at = static_cast<std::size_t>(at - text);
+    }
+
+    bool take_plain_element(
+        const char* at, std::size_t id_columns, std::int64_t& id, std::span<NodeId> nodes
+    ) {
+        const auto line_ends = [&](const char* end) {
+            return end[like_.line_end - 1] == '\n' && (like_.line_end == 1 || *end == '\r');
+        };
+        const char* p = at + kMark + id_columns;
+        if (!starts_with(at, " -1") || !fast_integer(at + kMark, id_columns, id)) return false;
+        if (std::memcmp(p, like_.attributes.data(), kAttributes) != 0 || !line_ends(p + kAttributes))
+            return false;
+        p += kAttributes + like_.line_end;
+        for (std::size_t i = 0; i < nodes.size(); i += like_.per_line) {
+            if (!starts_with(p, " -2")) return false;
+            p += kMark;
+            for (NodeId& node : nodes.subspan(i, std::min(like_.per_line, nodes.size() - i))) {
+                std::int64_t value = 0;
+                if (!fast_integer(p, id_columns, value)) return false;
+                node = NodeId{value};
+                p += id_columns;
+            }
+            if (!line_ends(p)) return false;
+            p += like_.line_end;
+        }
+        return true;
     }
 
     void read_element_nodes(
@@ -288,6 +397,15 @@ private:
     MeshBuilder builder_;
     MeshBuilder::Where where_;
     std::size_t record_ = 0;  ///< Where the record being read starts.
+    /// The element before, when it is written as CalculiX does.
+    struct Like {
+        std::size_t length = 0;  ///< With all its lines; 0: there is none.
+        std::size_t type = 0;    ///< Into kTypes.
+        std::size_t line_end = 1;
+        std::size_t per_line = 10;    ///< Nodes.
+        std::string_view attributes;  ///< Type, group and material as they stand.
+    };
+    Like like_;
     bool has_part_ = false;
     std::string last_material_;
     PartIndex last_part_{};

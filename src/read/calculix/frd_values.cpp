@@ -170,29 +170,45 @@ private:
         const RecordShape& shape, std::size_t first, std::size_t last, std::int64_t limit, Chunk& chunk
     ) {
         std::int64_t previous = std::numeric_limits<std::int64_t>::min();
+        std::vector<float> nowhere(shape.fields.size());
         for (std::size_t i = first; i < last; ++i) {
             const char* at = text_.data() + body_.first + i * shape.bytes;
             std::int64_t id = 0;
             if (!id_at(i * shape.bytes, id) || id <= previous || id >= limit) return false;
             previous = id;
-            for (std::size_t k = 0; k < shape.lines.size(); ++k) {
-                const char* line = at + shape.lines[k];
-                if (line[0] != ' ' || line[1] != '-' || line[2] != (k == 0 ? '1' : '2')) return false;
-                if (i + k > 0 && line[-1] != '\n') return false;
-            }
-            if (at[shape.bytes - 1] != '\n') return false;
+            if (!is_shaped(shape, at, i == 0)) return false;
             const std::size_t row = chunk.row(NodeId{id});
             if (row == kNoRow) ++chunk.without_node;
-            for (std::size_t c = 0; c < shape.fields.size(); ++c) {
-                float value = 0;
-                const char* field = at + shape.fields[c];
-                if (!fast_real12(field, value)) {
-                    const auto general = parse_float({field, kWidth});
-                    if (!general) return false;
-                    value = *general;
-                }
-                if (row != kNoRow) store(row, c, value, chunk.without_number);
+            float* const out = row == kNoRow ? nowhere.data() : values_.data() + row * columns_.count;
+            std::uint64_t odd = 0;
+            for (std::size_t c = 0; c < shape.fields.size(); ++c)
+                out[c] = real12<float>(at + shape.fields[c], odd);
+            if (odd != 0 && !read_odd_record(shape, at, row, chunk)) return false;
+        }
+        return true;
+    }
+
+    /// Whether lines start and end where those of the first record do.
+    static bool is_shaped(const RecordShape& shape, const char* at, bool is_first) {
+        for (std::size_t k = 0; k < shape.lines.size(); ++k) {
+            const char* line = at + shape.lines[k];
+            if (line[0] != ' ' || line[1] != '-' || line[2] != (k == 0 ? '1' : '2')) return false;
+            if (!(is_first && k == 0) && line[-1] != '\n') return false;
+        }
+        return at[shape.bytes - 1] == '\n';
+    }
+
+    /// A record with a number that needs more care.
+    bool read_odd_record(const RecordShape& shape, const char* at, std::size_t row, Chunk& chunk) {
+        for (std::size_t c = 0; c < shape.fields.size(); ++c) {
+            float value = 0;
+            const char* field = at + shape.fields[c];
+            if (!fast_real12(field, value)) {
+                const auto general = parse_float({field, kWidth});
+                if (!general) return false;
+                value = *general;
             }
+            if (row != kNoRow) store(row, c, value, chunk.without_number);
         }
         return true;
     }

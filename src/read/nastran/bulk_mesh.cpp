@@ -117,6 +117,7 @@ private:
         };
         if (!std::ranges::is_sorted(cards_.elements, before))
             std::ranges::stable_sort(cards_.elements, before);
+        builder_.expect_elements(cards_.elements.size());
         std::int64_t previous = 0;
         for (const BulkElement& place : cards_.elements) {
             const ElementCard& card = element_cards()[place.card];
@@ -140,6 +141,7 @@ private:
         RowNodes nodes{};
         std::int64_t property = kBlankField;
         if (!read_plain(place, card, nodes, property)) read_card(place, card, nodes, property);
+        if (add_corners(place, card, nodes, property, where)) return;
         const auto arranged = arrange_nodes(card, std::span(nodes).first(card.node_count()));
         if (!arranged) {
             throw Error(
@@ -157,6 +159,33 @@ private:
 
     using RowNodes = std::array<std::int64_t, kMaxElementNodes>;
 
+    /// A card with its corners alone: nearly every one of a linear mesh. False: it has more, or less.
+    bool add_corners(
+        const BulkElement& place,
+        const ElementCard& card,
+        const RowNodes& nodes,
+        std::int64_t property,
+        const MeshBuilder::Where& where
+    ) {
+        const ElementRow& row = element_row(card.type);
+        std::array<NodeId, 8> corners{};
+        unsigned odd = 0;
+        for (std::size_t i = 0; i < row.corner_count; ++i) {
+            corners[i] = NodeId{nodes[card.order[i]]};
+            odd += corners[i] == NodeId{0};
+        }
+        for (std::size_t i = row.corner_count; i < row.node_count; ++i) odd += nodes[card.order[i]] != 0;
+        if (odd != 0) return false;
+        builder_.add_element(
+            ElementId{place.id},
+            row.order == 2 ? row.linear : card.type,
+            std::span(corners).first(row.corner_count),
+            part_of(card, place.id, property),
+            where
+        );
+        return true;
+    }
+
     bool read_plain(
         const BulkElement& place, const ElementCard& card, RowNodes& nodes, std::int64_t& property
     ) {
@@ -165,7 +194,7 @@ private:
         const std::string_view text = deck_.input(place.file).text();
         const bool is_plain =
             place.shift == 0 &&
-            read_plain_fields(text, place.offset, card.name.size(), first + card.node_count(), fields);
+            free_cards_.read(text, place.offset, card.name.size(), first + card.node_count(), fields);
         if (!is_plain) return false;
         for (std::size_t i = 0; i < card.node_count(); ++i) {
             const std::int64_t node = fields.values[first + i];
@@ -272,6 +301,7 @@ private:
     Diagnostics& diagnostics_;
     MeshBuilder builder_;
     BulkCard card_;
+    FreeCards free_cards_;
     std::int64_t last_property_ = kBlankField;
     bool last_by_material_ = false;
     PartIndex last_part_{};

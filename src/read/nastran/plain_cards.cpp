@@ -322,4 +322,68 @@ bool read_plain_fields(
                                     : read_fixed_fields<std::uint64_t>(text, *line, wanted, fields);
 }
 
+bool FreeCards::read(
+    std::string_view text, std::size_t at, std::size_t name_length, std::size_t wanted, PlainFields& fields
+) {
+    if (wanted == wanted_ && !card_.empty() && read_like(text, at, wanted, fields)) return true;
+    card_ = {};
+    if (!read_plain_fields(text, at, name_length, wanted, fields)) return false;
+    remember(text, at, name_length, wanted);
+    return true;
+}
+
+/// Between numbers stands what stood between those of the card before, name and line ends with it.
+bool FreeCards::read_like(std::string_view text, std::size_t at, std::size_t wanted, PlainFields& fields)
+    const {
+    if (at < kSmall || text.size() - at < card_.size() + kRoom) return false;
+    const char* const card = text.data() + at;
+    std::fill_n(fields.values.begin(), wanted, kBlankField);
+    std::uint64_t bad = 0;
+    std::size_t from = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+        const Field field = fields_[k];
+        for (; from < field.first; ++from) bad |= static_cast<std::uint64_t>(card[from] ^ card_[from]);
+        fields.values[index_[k]] = digits_between(card + field.first, card + field.last, bad);
+        from = field.last;
+    }
+    for (; from < card_.size(); ++from) bad |= static_cast<std::uint64_t>(card[from] ^ card_[from]);
+    return bad == 0 && is_letter(card[card_.size()]);
+}
+
+/// Only a card whose every field is wanted, so that nothing else can stand between numbers.
+void FreeCards::remember(std::string_view text, std::size_t at, std::size_t name_length, std::size_t wanted) {
+    constexpr std::size_t kLongest = 400;
+    const char* const card = text.data() + at;
+    if (card[name_length] != ',') return;
+    const auto head = look_over_plain_card(text, at, name_length);
+    if (!head || head->next - at > kLongest) return;
+    const std::string_view all(card, head->next - at);
+    count_ = 0;
+    std::size_t field = 0;
+    std::size_t in_line = 0;
+    for (std::size_t i = name_length + 1; i < all.size(); ++i) {
+        const bool is_digit = all[i] >= '0' && all[i] <= '9';
+        if (is_digit) {
+            const std::size_t first = i;
+            while (all[i] >= '0' && all[i] <= '9') ++i;
+            if (field >= wanted || in_line >= 8 || i - first > 8) return;
+            fields_[count_] = {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(i)};
+            index_[count_++] = static_cast<std::uint8_t>(field);
+        }
+        if (all[i] == ',') {
+            if (in_line < 8) ++field, ++in_line;
+        } else if (all[i] == '\n') {
+            // To the first field of the next line, whose comma stands behind its mark.
+            field += 8 - in_line;
+            in_line = 0;
+            if (all[i + 1 < all.size() ? i + 1 : i] == '+') ++i;
+            ++i;
+        } else if (all[i] != '+' && all[i] != '\r') {
+            return;
+        }
+    }
+    card_ = all;
+    wanted_ = wanted;
+}
+
 }  // namespace feelem::nastran

@@ -39,4 +39,30 @@ bool read_plain_fields(
     std::string_view text, std::size_t at, std::size_t name_length, std::size_t wanted, PlainFields& fields
 );
 
+/// The same for card after card: one whose commas stand where those of the one before do is read without
+/// waiting for the end of each field.
+class FreeCards {
+public:
+    bool read(
+        std::string_view text,
+        std::size_t at,
+        std::size_t name_length,
+        std::size_t wanted,
+        PlainFields& fields
+    );
+
+private:
+    bool read_like(std::string_view text, std::size_t at, std::size_t wanted, PlainFields& fields) const;
+    void remember(std::string_view text, std::size_t at, std::size_t name_length, std::size_t wanted);
+
+    struct Field {
+        std::uint16_t first = 0, last = 0;
+    };
+    std::string_view card_;  ///< The one before, up to the start of the next; empty: none to go by.
+    std::size_t wanted_ = 0;
+    std::size_t count_ = 0;  ///< Of its fields that are numbers.
+    std::array<Field, PlainFields::kMost> fields_{};
+    std::array<std::uint8_t, PlainFields::kMost> index_{};  ///< Which of the wanted ones they are.
+};
+
 }  // namespace feelem::nastran
