@@ -141,13 +141,13 @@ std::vector<LodField> fields_of(const Making& making, std::size_t i, const Compo
 }
 
 /// What was found of one level.
-struct Judged {
+struct JudgedLevel {
     LevelJudgement judgement;  ///< By the checker.
     std::vector<double> max;   ///< By the lists of the simplifier, per served.
 };
 
-Judged judge(const Making& making, const LodLevel& level) {
-    Judged judged;
+JudgedLevel judge(const Making& making, const LodLevel& level) {
+    JudgedLevel judged;
     judged.judgement = judge_level(
         making.surface,
         level.triangles,
@@ -168,7 +168,7 @@ Judged judge(const Making& making, const LodLevel& level) {
 }
 
 /// The largest difference as a share of what is allowed; an extreme that is lost is worse than any.
-double share_used(const Making& making, const Judged& judged, std::size_t i) {
+double share_used(const Making& making, const JudgedLevel& judged, std::size_t i) {
     if (!judged.judgement.values[i].keeps_extremes) return std::numeric_limits<double>::infinity();
     const Shape shape = making.results[making.served[i].result].shape;
     const double shown = error_of_value(shape, judged.judgement.values[i].shown);
@@ -176,7 +176,7 @@ double share_used(const Making& making, const Judged& judged, std::size_t i) {
 }
 
 /// Empty when the level keeps its promise, else what it does not keep; `broken`: of which results and steps.
-std::string complaint(const Making& making, const Judged& judged, std::vector<std::size_t>& broken) {
+std::string complaint(const Making& making, const JudgedLevel& judged, std::vector<std::size_t>& broken) {
     const LevelJudgement& judgement = judged.judgement;
     if (!std::isfinite(judgement.max_distance)) return "a triangle of it is where none was";
     for (std::size_t i = 0; i < making.served.size(); ++i) {
@@ -206,7 +206,7 @@ double rounded_up(double fraction) {
     return std::ceil((fraction - 1e-12) * 1e9) / 1e9;
 }
 
-SceneLevel described(const Making& making, const LodLevel& level, const Judged& judged) {
+SceneLevel described(const Making& making, const LodLevel& level, const JudgedLevel& judged) {
     const LodCertificate& certificate = level.certificate;
     SceneLevel out;
     out.triangles = level.triangles.size();
@@ -248,7 +248,7 @@ MadeLevels attempt(const Making& making, std::string& why, std::vector<std::size
         const auto most = (1 - kWorthwhile) * static_cast<double>(before);
         if (static_cast<double>(level.triangles.size()) > most || level.triangles.empty()) continue;
         before = level.triangles.size();
-        const Judged judged = judge(making, level);
+        const JudgedLevel judged = judge(making, level);
         why = complaint(making, judged, broken);
         if (!why.empty()) return {};
         levels.emplace_back(described(making, level, judged), std::move(level));
