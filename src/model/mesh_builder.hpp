@@ -46,8 +46,6 @@ public:
     void add_element(
         ElementId id, ElementType type, std::span<const NodeId> nodes, PartIndex part, const Where& where
     );
-    /// Room for so many elements in each block that is begun from now on.
-    void expect_elements(std::size_t count) { expected_elements_ = count; }
     /// Elements that nothing has to be done for: every node found by nodes(), no corner repeated, no mid-side
     /// node left out. A row after the other in `found`.
     void add_whole_elements(
@@ -78,7 +76,6 @@ private:
     std::map<std::string, PartIndex, std::less<>> part_by_name_;
     std::array<int, kElementTypeCount> block_by_type_{};
     std::array<NodeIndex, kMaxElementNodes> resolved_{};
-    std::size_t expected_elements_ = 0;
 };
 
 }  // namespace feelem
