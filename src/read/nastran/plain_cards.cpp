@@ -10,13 +10,13 @@
 namespace feelem::nastran {
 namespace {
 
-constexpr std::size_t kSmall = 8;
+constexpr std::size_t kSmallColumn = 8;
 constexpr std::size_t kMarkColumn = 72;
 constexpr std::size_t kLongestLine = 80;
 /// Bytes that may be looked at behind a line's end.
-constexpr std::size_t kRoom = 64;
+constexpr std::size_t kRoomBehind = 64;
 
-bool is_letter(char c) {
+bool starts_card(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
@@ -28,8 +28,8 @@ struct CardLine {
 };
 
 /// Empty near the end of the text, where columns cannot be looked at eight at a time.
-std::optional<CardLine> line_from(const char* first, const char* end) {
-    if (static_cast<std::size_t>(end - first) < kLongestLine + kRoom) return {};
+std::optional<CardLine> card_line_from(const char* first, const char* end) {
+    if (static_cast<std::size_t>(end - first) < kLongestLine + kRoomBehind) return {};
     const void* found = std::memchr(first, '\n', kLongestLine + 2);
     if (found == nullptr) return {};
     const char* last = static_cast<const char*>(found);
@@ -75,26 +75,27 @@ bool tags_agree(std::string_view mark, std::string_view first_field) {
 }
 
 std::string_view mark_of(const CardLine& line) {
-    const std::size_t width = width_at(line, kMarkColumn, kSmall);
+    const std::size_t width = width_at(line, kMarkColumn, kSmallColumn);
     return width == 0 ? std::string_view{} : std::string_view(line.first + kMarkColumn, width);
 }
 
 /// Whether a fixed line goes on with the card: by a mark, or by eight blanks where fields are small.
 template <class Word>
-bool goes_on(const CardLine& before, const CardLine& line) {
-    if (line.length <= kSmall) return false;
+bool goes_on_fixed(const CardLine& before, const CardLine& line) {
+    if (line.length <= kSmallColumn) return false;
     const char first = line.first[0];
-    if (first == (sizeof(Word) == kSmall ? '+' : '*'))
-        return is_harmless(line, 0, kSmall) && tags_agree(mark_of(before), {line.first, kSmall});
-    return first == ' ' && load8(line.first) == 0x2020202020202020 && !is_blank_from(line, kSmall);
+    if (first == (sizeof(Word) == kSmallColumn ? '+' : '*'))
+        return is_harmless(line, 0, kSmallColumn) && tags_agree(mark_of(before), {line.first, kSmallColumn});
+    return first == ' ' && load8(line.first) == 0x2020202020202020 && !is_blank_from(line, kSmallColumn);
 }
 
 template <class Word>
 std::optional<std::size_t> end_of_fixed_card(std::string_view text, CardLine line) {
     const char* const end = text.data() + text.size();
-    while (!is_letter(*line.next)) {
-        const auto further = line_from(line.next, end);
-        if (!further || !goes_on<Word>(line, *further) || !is_harmless(*further, kSmall)) return {};
+    while (!starts_card(*line.next)) {
+        const auto further = card_line_from(line.next, end);
+        if (!further || !goes_on_fixed<Word>(line, *further) || !is_harmless(*further, kSmallColumn))
+            return {};
         line = *further;
     }
     return static_cast<std::size_t>(line.next - text.data());
@@ -103,19 +104,19 @@ std::optional<std::size_t> end_of_fixed_card(std::string_view text, CardLine lin
 template <class Word>
 bool read_fixed_fields(std::string_view text, CardLine line, std::size_t wanted, PlainFields& fields) {
     constexpr std::size_t kWidth = sizeof(Word);
-    constexpr std::size_t kPerLine = (kMarkColumn - kSmall) / kWidth;
+    constexpr std::size_t kPerLine = (kMarkColumn - kSmallColumn) / kWidth;
     const char* const end = text.data() + text.size();
     for (std::size_t base = 0;; base += kPerLine) {
-        std::size_t column = kSmall;
+        std::size_t column = kSmallColumn;
         for (std::size_t i = base; i < std::min(wanted, base + kPerLine); ++i, column += kWidth) {
             const std::size_t width = width_at(line, column, kWidth);
             if (width == 0) break;
             if (!fixed_integer<Word>(line.first + column, width, kBlankField, fields.values[i])) return false;
         }
         if (!is_harmless(line, column)) return false;
-        if (is_letter(*line.next) || base + kPerLine >= wanted) return true;
-        const auto further = line_from(line.next, end);
-        if (!further || !goes_on<Word>(line, *further)) return false;
+        if (starts_card(*line.next) || base + kPerLine >= wanted) return true;
+        const auto further = card_line_from(line.next, end);
+        if (!further || !goes_on_fixed<Word>(line, *further)) return false;
         line = *further;
     }
 }
@@ -144,7 +145,7 @@ std::optional<PlainHead> look_over_free_card(std::string_view text, std::size_t 
     if (!take_digits(p, head.id)) return {};
     p = skip_blanks(p);
     if (*p != ',') return {};
-    while ((p = behind_line(p, end)) != nullptr && !is_letter(*p)) {
+    while ((p = behind_line(p, end)) != nullptr && !starts_card(*p)) {
         if (free_continuation(p) == 0) return {};
     }
     if (p == nullptr) return {};
@@ -185,7 +186,7 @@ bool read_free_fields(std::string_view text, std::size_t at, std::size_t wanted,
         const std::string_view rest(p, static_cast<std::size_t>(next - p));
         const bool all_taken = base + 8 >= wanted;
         if (rest.find_first_of(all_taken ? "$\t" : "$\t,") != std::string_view::npos) return false;
-        if (all_taken || is_letter(*next)) return true;
+        if (all_taken || starts_card(*next)) return true;
         const std::size_t mark = free_continuation(next);
         if (mark == 0) return false;
         p = next + mark;
@@ -218,7 +219,7 @@ std::optional<std::size_t> read_free_grid(std::string_view text, std::size_t at,
         p = skip_blanks(p);
     }
     p += *p == '\r' ? 1 : 0;
-    if (grid.id <= 0 || *p++ != '\n' || !is_letter(*p)) return {};
+    if (grid.id <= 0 || *p++ != '\n' || !starts_card(*p)) return {};
     return static_cast<std::size_t>(p - text.data());
 }
 
@@ -227,7 +228,7 @@ template <class Word>
 std::optional<std::size_t> read_fixed_grid(std::string_view text, CardLine line, BulkGrid& grid) {
     constexpr std::size_t kWidth = sizeof(Word);
     const char* const end = text.data() + text.size();
-    std::size_t column = kSmall;
+    std::size_t column = kSmallColumn;
     const auto number = [&](std::int64_t& out) {
         const bool is_plain =
             fixed_integer<Word>(line.first + column, width_at(line, column, kWidth), kBlankField, out);
@@ -237,15 +238,16 @@ std::optional<std::size_t> read_fixed_grid(std::string_view text, CardLine line,
     if (!number(grid.id) || grid.id <= 0 || !number(grid.place_system)) return {};
     for (std::size_t i = 0; i < 3; ++i) {
         if (column >= kMarkColumn) {
-            const auto further = line_from(line.next, end);
-            if (!is_harmless(line, kMarkColumn) || !further || !goes_on<Word>(line, *further)) return {};
+            const auto further = card_line_from(line.next, end);
+            if (!is_harmless(line, kMarkColumn) || !further || !goes_on_fixed<Word>(line, *further))
+                return {};
             line = *further;
-            column = kSmall;
+            column = kSmallColumn;
         }
         if (!fixed_real<Word>(line.first + column, width_at(line, column, kWidth), grid.place[i])) return {};
         column += kWidth;
     }
-    if (!number(grid.value_system) || !is_blank_from(line, column) || !is_letter(*line.next)) return {};
+    if (!number(grid.value_system) || !is_blank_from(line, column) || !starts_card(*line.next)) return {};
     return static_cast<std::size_t>(line.next - text.data());
 }
 
@@ -254,11 +256,11 @@ std::optional<std::size_t> read_fixed_grid(std::string_view text, CardLine line,
 std::optional<std::size_t> read_plain_grid(std::string_view text, std::size_t at, BulkGrid& grid) {
     constexpr std::size_t kName = 4;
     const char* const first = text.data() + at;
-    if (text.size() - at < kLongestLine + kRoom || std::memcmp(first, "GRID", kName) != 0) return {};
+    if (text.size() - at < kLongestLine + kRoomBehind || std::memcmp(first, "GRID", kName) != 0) return {};
     if (first[kName] == ',') return read_free_grid(text, at + kName + 1, grid);
     const bool is_large = std::memcmp(first + kName, "*   ", 4) == 0;
     if (!is_large && std::memcmp(first + kName, "    ", 4) != 0) return {};
-    const auto line = line_from(first, text.data() + text.size());
+    const auto line = card_line_from(first, text.data() + text.size());
     if (!line) return {};
     return is_large ? read_fixed_grid<SixteenBytes>(text, *line, grid)
                     : read_fixed_grid<std::uint64_t>(text, *line, grid);
@@ -274,10 +276,10 @@ enum class CardForm : char {
 };
 std::optional<CardForm> form_of(std::string_view text, std::size_t at, std::size_t name_length) {
     const char* const first = text.data() + at;
-    if (text.size() - at < kLongestLine + kRoom || name_length >= kSmall) return {};
+    if (text.size() - at < kLongestLine + kRoomBehind || name_length >= kSmallColumn) return {};
     if (first[name_length] == ',') return CardForm::Free;
     const bool is_large = first[name_length] == '*';
-    for (std::size_t i = name_length + (is_large ? 1 : 0); i < kSmall; ++i) {
+    for (std::size_t i = name_length + (is_large ? 1 : 0); i < kSmallColumn; ++i) {
         if (first[i] != ' ') return {};
     }
     return is_large ? CardForm::Large : CardForm::Small;
@@ -286,9 +288,9 @@ std::optional<CardForm> form_of(std::string_view text, std::size_t at, std::size
 template <class Word>
 std::optional<PlainHead> look_over_fixed_card(std::string_view text, const CardLine& line) {
     PlainHead head;
-    const std::size_t width = width_at(line, kSmall, sizeof(Word));
-    if (!fixed_integer<Word>(line.first + kSmall, width, kBlankField, head.id)) return {};
-    if (!is_harmless(line, kSmall + sizeof(Word))) return {};
+    const std::size_t width = width_at(line, kSmallColumn, sizeof(Word));
+    if (!fixed_integer<Word>(line.first + kSmallColumn, width, kBlankField, head.id)) return {};
+    if (!is_harmless(line, kSmallColumn + sizeof(Word))) return {};
     const auto next = end_of_fixed_card<Word>(text, line);
     if (!next) return {};
     head.next = *next;
@@ -303,7 +305,7 @@ std::optional<PlainHead> look_over_plain_card(
     const auto form = form_of(text, at, name_length);
     if (!form) return {};
     if (*form == CardForm::Free) return look_over_free_card(text, at + name_length + 1);
-    const auto line = line_from(text.data() + at, text.data() + text.size());
+    const auto line = card_line_from(text.data() + at, text.data() + text.size());
     if (!line) return {};
     return *form == CardForm::Large ? look_over_fixed_card<SixteenBytes>(text, *line)
                                     : look_over_fixed_card<std::uint64_t>(text, *line);
@@ -316,7 +318,7 @@ bool read_plain_fields(
     if (!form || wanted > PlainFields::kMost) return false;
     std::fill_n(fields.values.begin(), wanted, kBlankField);
     if (*form == CardForm::Free) return read_free_fields(text, at + name_length + 1, wanted, fields);
-    const auto line = line_from(text.data() + at, text.data() + text.size());
+    const auto line = card_line_from(text.data() + at, text.data() + text.size());
     if (!line) return false;
     return *form == CardForm::Large ? read_fixed_fields<SixteenBytes>(text, *line, wanted, fields)
                                     : read_fixed_fields<std::uint64_t>(text, *line, wanted, fields);
@@ -335,7 +337,7 @@ bool FreeCards::read(
 /// Between numbers stands what stood between those of the card before, name and line ends with it.
 bool FreeCards::read_like(std::string_view text, std::size_t at, std::size_t wanted, PlainFields& fields)
     const {
-    if (at < kSmall || text.size() - at < card_.size() + kRoom) return false;
+    if (at < kSmallColumn || text.size() - at < card_.size() + kRoomBehind) return false;
     const char* const card = text.data() + at;
     std::fill_n(fields.values.begin(), wanted, kBlankField);
     std::uint64_t bad = 0;
@@ -347,7 +349,7 @@ bool FreeCards::read_like(std::string_view text, std::size_t at, std::size_t wan
         from = field.last;
     }
     for (; from < card_.size(); ++from) bad |= static_cast<std::uint64_t>(card[from] ^ card_[from]);
-    return bad == 0 && is_letter(card[card_.size()]);
+    return bad == 0 && starts_card(card[card_.size()]);
 }
 
 /// Only a card whose every field is wanted, so that nothing else can stand between numbers.
