@@ -35,23 +35,25 @@ CompactSkin compact(
 ) {
     CompactSkin skin;
     feelem::NodeRanks ranks(mesh.node_count());
-    std::size_t triangles = 0;
-    for (const feelem::FacetRef facet : facets) {
-        for_each_triangle(feelem::outline_of(mesh, facet), [&](NodeIndex a, NodeIndex b, NodeIndex c) {
-            ranks.mark(a);
-            ranks.mark(b);
-            ranks.mark(c);
-            ++triangles;
+    // As many as there may be: what is not used is never touched.
+    constexpr std::size_t kMostTriangles = 6;
+    feelem::reserve_big(skin.triangles, facets.size() * kMostTriangles);
+    feelem::reserve_big(skin.facets, facets.size() * kMostTriangles);
+    for (std::uint32_t i = 0; i < facets.size(); ++i) {
+        feelem::fetch_elements(mesh, facets, i);
+        const Outline facet = feelem::outline_of(mesh, facets[i]);
+        for (std::size_t k = 0; k < facet.count; ++k) {
+            ranks.mark(facet.corners[k]);
+            if (facet.middles[k] != kNoNode) ranks.mark(facet.middles[k]);
+        }
+        for_each_triangle(facet, [&](NodeIndex a, NodeIndex b, NodeIndex c) {
+            skin.triangles.push_back({raw(a), raw(b), raw(c)});
+            skin.facets.push_back(i);
         });
     }
     ranks.seal();
-    feelem::reserve_big(skin.triangles, triangles);
-    feelem::reserve_big(skin.facets, triangles);
-    for (std::uint32_t i = 0; i < facets.size(); ++i) {
-        for_each_triangle(feelem::outline_of(mesh, facets[i]), [&](NodeIndex a, NodeIndex b, NodeIndex c) {
-            skin.triangles.push_back({ranks(a), ranks(b), ranks(c)});
-            skin.facets.push_back(i);
-        });
+    for (auto& triangle : skin.triangles) {
+        for (std::uint32_t& point : triangle) point = ranks(NodeIndex{point});
     }
     feelem::reserve_big(skin.points, ranks.count());
     feelem::reserve_big(skin.values, ranks.count());

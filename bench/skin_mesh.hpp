@@ -12,7 +12,8 @@
 namespace bench {
 
 /// hex8, tet4 (six a cube), hex20, tet10: a cube of them. mixed: hexes, wedges and pyramids side by side, and
-/// tets apart. plate: hex8, one layer thick. `numbering`: natural (x first); windowed (nodes and elements
+/// tets apart. plate: hex8, one layer thick. degenerate: hex8, half of them prisms with repeated nodes.
+/// free=PATH: tetrahedra of free_tets.py. `numbering`: natural (x first); windowed (nodes and elements
 /// shuffled among their 4,096 neighbours); random (all shuffled), as free meshers leave them. About `cells`
 /// elements. Throws std::invalid_argument for an unknown word.
 feelem::Mesh make_mesh(const std::string& kind, std::size_t cells, const std::string& numbering);
