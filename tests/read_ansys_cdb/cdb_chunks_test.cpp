@@ -2,6 +2,7 @@
 // Long blocks are read in chunks of about a megabyte, by several threads: the mesh is that of the same rows
 // in many short blocks, whatever the number of threads.
 #include "base/parallel.hpp"
+#include "read/ansys/cdb_deck.hpp"
 #include "read/ansys/element_adder.hpp"
 #include "read_ansys_cdb/opened_deck.hpp"
 
@@ -11,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <iterator>
 #include <random>
 
@@ -198,6 +201,91 @@ TEST(CdbChunks, of_two_bad_rows_the_first_is_told) {
         ADD_FAILURE() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.where(), fmt::format("deck.cdb:{}", line));
+    }
+}
+
+/// Alike rows of bricks, `count` as the command announces them; `hidden` stands for as many bytes of rows in
+/// their midst.
+std::string even_deck(const std::string& count, const std::string& hidden, const char* line_end) {
+    std::string text = "/PREP7" + std::string(line_end) + "ET,1,185" + line_end;
+    const auto block = [&](const char* head, const char* format, int rows, const auto& row) {
+        text += head + count + line_end + format + line_end;
+        for (int i = 1; i <= rows; ++i) text += row(i) + line_end;
+    };
+    block("NBLOCK,6,SOLID", "(3i9,6e21.13e3)", 12'000, [](int i) {
+        return fmt::format(
+            "{:9}{:9}{:9}{:16.13f}E+000{:16.13f}E+000{:16.13f}E+000",
+            i,
+            0,
+            0,
+            1.5,
+            i % 7 + 0.25,
+            i % 9 + 0.125
+        );
+    });
+    text += std::string("N,R5.3,LOC,       -1,") + line_end;
+    const std::size_t first = text.size();
+    block("EBLOCK,19,SOLID", "(19i9)", 12'000, [](int i) {
+        std::string row =
+            fmt::format("{:9}{:9}{:9}{:9}{:9}{:9}{:9}{:9}{:9}{:9}{:9}", 1, 1, 1, 1, 0, 0, 0, 0, 8, 0, i);
+        for (int k = 0; k < 8; ++k) row += fmt::format("{:9}", i % 1000 + 1000 * k + 1);
+        return row;
+    });
+    if (!hidden.empty()) {
+        const std::size_t size = 19 * 9 + std::string(line_end).size();
+        const std::size_t middle =
+            text.find(line_end, text.find(line_end, first) + 1) + std::string(line_end).size() + 7000 * size;
+        const std::size_t taken = (hidden.size() / size + 1) * size;
+        const std::size_t padding = taken - hidden.size() - 1 - std::string(line_end).size();
+        // The comment comes behind the first line, which ends the block.
+        const std::size_t head = hidden.find(line_end) + std::string(line_end).size();
+        text.replace(
+            middle,
+            taken,
+            hidden.substr(0, head) + "!" + std::string(padding, 'x') + line_end + hidden.substr(head)
+        );
+    }
+    return text + "       -1" + line_end;
+}
+
+TEST(CdbChunks, blocks_that_are_as_long_as_announced_are_not_looked_at_before_they_are_read) {
+    for (const char* line_end : {"\n", "\r\n"}) {
+        const std::string text = even_deck(",    12000,    12000", "", line_end);
+        Diagnostics diagnostics;
+        const auto deck =
+            ansys::cdb::scan_deck(Input::from_memory("deck.cdb", text), nullptr, diagnostics, true);
+        ASSERT_EQ(deck.node_blocks.size(), 1u);
+        ASSERT_EQ(deck.element_blocks.size(), 1u);
+        EXPECT_TRUE(deck.node_blocks[0].assumed);
+        EXPECT_TRUE(deck.element_blocks[0].rows.assumed);
+        const auto counted = open_deck(text);
+        EXPECT_EQ(counted.mesh().element_count(), 12'000u);
+        expect_same_mesh(counted.mesh(), open_deck(even_deck("", "", line_end)).mesh());
+    }
+}
+
+TEST(CdbChunks, an_announced_number_that_leads_beyond_the_end_is_not_believed) {
+    const std::string rows =
+        "        1        1        1        1        0        0        0        0        8        0";
+    for (const std::string end : {"\n", "\r\n"}) {
+        for (const std::string& hidden :
+             {"       -1" + end + "MAT,5" + end + "EBLOCK,19,SOLID" + end + "(19i9)" + end,
+              "FINISH" + end + "/EOF" + end,
+              end + end,
+              rows + "  " + end + "        7        8" + end}) {
+            const auto told = [&](const std::string& count) -> std::pair<Mesh, std::string> {
+                try {
+                    const auto opened = open_deck(even_deck(count, hidden, end.c_str()));
+                    return {opened.mesh(), test::all_texts(*opened.diagnostics)};
+                } catch (const Error& error) {
+                    return {Mesh{}, error.where() + error.what()};
+                }
+            };
+            const auto counted = told(",    12000,    12000"), honest = told("");
+            expect_same_mesh(counted.first, honest.first);
+            // Lines count from the same place, but for the words of what was announced.
+            EXPECT_EQ(counted.second.substr(0, 30), honest.second.substr(0, 30));
+        }
     }
 }
 

@@ -55,10 +55,7 @@ Likelihood recognise_cdb(const Input& input) {
 class CdbSource : public ModelSource {
 public:
     CdbSource(const Input& input, const ReadContext& context, Diagnostics& diagnostics) {
-        const cdb::Deck deck = cdb::scan_deck(input, context.includes, diagnostics);
-        title_ = deck.title;
-        version_ = deck.version;
-        own_mesh_ = cdb::read_mesh(deck, read_types({}, context.options.types, diagnostics), diagnostics);
+        if (!read_by_counts(input, context, diagnostics)) read(input, context, diagnostics, false);
         mesh_ = own_or_shared(own_mesh_, context.mesh);
         if (mesh_ == &own_mesh_ && own_mesh_.node_count() == 0) {
             throw Error(
@@ -81,6 +78,28 @@ public:
     }
 
 private:
+    void read(const Input& input, const ReadContext& context, Diagnostics& diagnostics, bool by_counts) {
+        const cdb::Deck deck = cdb::scan_deck(input, context.includes, diagnostics, by_counts);
+        title_ = deck.title;
+        version_ = deck.version;
+        own_mesh_ = cdb::read_mesh(deck, read_types({}, context.options.types, diagnostics), diagnostics);
+    }
+
+    /// Touches long blocks once, not twice. What is wrong with a deck is told by the other way.
+    bool read_by_counts(const Input& input, const ReadContext& context, Diagnostics& diagnostics) {
+        Diagnostics found;
+        try {
+            read(input, context, found, true);
+        } catch (const cdb::NotAsAssumed&) {
+            return false;
+        } catch (const Error&) {
+            return false;
+        }
+        for (const Diagnostic& entry : found.entries())
+            diagnostics.add(entry.code, entry.where, entry.text, entry.count);
+        return true;
+    }
+
     Mesh own_mesh_;
     const Mesh* mesh_ = nullptr;
     std::string title_;

@@ -10,6 +10,7 @@
 #include "read/ansys/ansys_units.hpp"
 #include "read/ansys/cdb_commands.hpp"
 #include "read/ansys/cdb_remarks.hpp"
+#include "read/ansys/cdb_row_counter.hpp"
 #include "read/ansys/cdb_singles.hpp"
 #include "read/ansys/list_text.hpp"
 
@@ -33,48 +34,6 @@ constexpr std::array<std::string_view, 20> kNotFollowed{
     "NGEN",  "FILL", "NSYM",   "NSCALE", "NMODIF", "NMOVE",  "NROTAT", "NDELE", "NREAD", "EGEN",
     "ENGEN", "ESYM", "EMODIF", "EDELE",  "EREAD",  "NUMMRG", "NUMCMP", "AMESH", "VMESH", "LMESH"};
 
-bool starts_row(std::string_view line, std::size_t id_width) {
-    if (line.size() < id_width || id_width < 2) return false;
-    const auto blank_or_digit = [](char c) { return c == ' ' || is_digit(c); };
-    return blank_or_digit(line[0]) && blank_or_digit(line[id_width - 2]) && is_digit(line[id_width - 1]);
-}
-
-/// Tells lines that begin a row from those that go on with one: an element may need two.
-class RowCounter {
-public:
-    RowCounter(const RowFormat& format, std::optional<ElementForm> form) : format_(format), form_(form) {}
-
-    bool begins(std::string_view line) {
-        if (!form_) return true;
-        if (further_ > 0) {
-            --further_;
-            return false;
-        }
-        if (*form_ == ElementForm::Solid) further_ = further_lines(line);
-        return true;
-    }
-
-private:
-    /// By the number of nodes in the ninth column, of which eleven columns less than all stand on this line.
-    std::size_t further_lines(std::string_view line) const {
-        constexpr std::size_t kAttributes = 11;
-        constexpr unsigned kMostNodes = 64;
-        const std::size_t end = 9 * format_.id_width;
-        if (format_.integers <= kAttributes || format_.id_width < 2 || line.size() < end) return 0;
-        const auto digit = [&](std::size_t at) {
-            return is_digit(line[at]) ? static_cast<unsigned>(line[at] - '0') : 0U;
-        };
-        const unsigned nodes = 10 * digit(end - 2) + digit(end - 1);
-        const std::size_t on_first = format_.integers - kAttributes;
-        if (nodes <= on_first || nodes > kMostNodes) return 0;
-        return (nodes - on_first + format_.integers - 1) / format_.integers;
-    }
-
-    const RowFormat& format_;
-    std::optional<ElementForm> form_;
-    std::size_t further_ = 0;
-};
-
 std::string_view without_quotes(std::string_view text) {
     text = trim(text);
     if (text.size() >= 2 && text.front() == '\'' && text.back() == '\'')
@@ -84,8 +43,9 @@ std::string_view without_quotes(std::string_view text) {
 
 class DeckScanner {
 public:
-    DeckScanner(const Input& input, IncludeFiles* includes, Diagnostics& diagnostics)
-        : includes_(includes), diagnostics_(diagnostics), singles_(deck_, settings_, diagnostics) {
+    DeckScanner(const Input& input, IncludeFiles* includes, Diagnostics& diagnostics, bool by_counts)
+        : includes_(includes), diagnostics_(diagnostics), by_counts_(by_counts),
+          singles_(deck_, settings_, diagnostics) {
         deck_.inputs.push_back(input);
     }
 
@@ -229,6 +189,7 @@ private:
         if (name.empty() || name.find('%') != std::string_view::npos || includes_ == nullptr) return;
         const std::string file =
             extension.empty() ? std::string(name) : fmt::format("{}.{}", name, extension);
+        if (by_counts_) throw NotAsAssumed{};
         std::optional<Input> found;
         if (depth_ < kDeepestInclude && deck_.inputs.size() < kMostInputs)
             found = includes_->find(file, input());
@@ -271,12 +232,13 @@ private:
         rows.begin = rows.end = lines.end();
         rows.format = *format;
         rows.line_end = line_end_;
+        if (by_counts_ && !ranges && assume_rows(text, announced(command), form, rows)) {
+            next_ = rows.end;
+            return rows;
+        }
         RowCounter counter(*format, form);
         while (lines.next()) {
-            if (!starts_row(lines.line(), format->id_width)) {
-                const char mark = first_mark(lines.line());
-                rows.ended = !(is_digit(mark) || mark == '+' || mark == '\0' || (ranges && mark == '-'));
-            }
+            rows.ended = ends_block(lines.line(), *format, ranges);
             if (rows.ended) break;
             if (counter.begins(lines.line())) {
                 ++rows.rows;
@@ -288,6 +250,27 @@ private:
         }
         next_ = rows.end;
         return rows;
+    }
+
+    /// As many rows as announced, each as long as the first, and then an end.
+    static bool assume_rows(
+        std::string_view text, std::int64_t count, std::optional<ElementForm> form, BlockRows& rows
+    ) {
+        constexpr std::int64_t kFewest = 1000;
+        if (count < kFewest || (form && *form != ElementForm::Solid)) return false;
+        const std::size_t size = first_row_size(text, rows, form);
+        if (size == 0 || static_cast<std::size_t>(count) > (text.size() - rows.begin) / size) return false;
+        const std::size_t end = rows.begin + static_cast<std::size_t>(count) * size;
+        Lines behind(text, end, text.size(), rows.line_end);
+        const bool leads_there = text[end - 1] == rows.line_end && text[end - size - 1] == rows.line_end &&
+                                 behind.next() && ends_block(behind.line(), rows.format, false);
+        if (!leads_there) return false;
+        rows.end = end;
+        rows.ended = rows.assumed = true;
+        rows.rows = static_cast<std::size_t>(count);
+        const std::size_t chunk = std::max<std::size_t>(1, kChunkBytes / size) * size;
+        for (std::size_t cut = rows.begin + chunk; cut < end; cut += chunk) rows.cuts.push_back(cut);
+        return true;
     }
 
     /// The last number of the command.
@@ -344,6 +327,7 @@ private:
     Deck deck_;
     IncludeFiles* includes_;
     Diagnostics& diagnostics_;
+    bool by_counts_;
     Settings settings_;
     SingleCommands singles_;
     std::size_t input_ = 0;   ///< Being read,
@@ -358,8 +342,8 @@ private:
 
 }  // namespace
 
-Deck scan_deck(const Input& input, IncludeFiles* includes, Diagnostics& diagnostics) {
-    return DeckScanner(input, includes, diagnostics).scan();
+Deck scan_deck(const Input& input, IncludeFiles* includes, Diagnostics& diagnostics, bool by_counts) {
+    return DeckScanner(input, includes, diagnostics, by_counts).scan();
 }
 
 }  // namespace feelem::ansys::cdb

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace feelem::ansys::cdb {
@@ -27,7 +28,19 @@ struct BlockRows {
     bool ended = false;             ///< By a row of its kind, not by the end of the file.
     std::size_t rows = 0;           ///< Lines at which a row seems to begin: never fewer than there are rows.
     std::vector<std::size_t> cuts;  ///< Beginnings of rows, as it seems, about a megabyte apart.
+    bool assumed = false;  ///< By the announced number alone: who reads a line says whether it starts_row().
 };
+
+/// What readers of rows throw when a block is not what was assumed of it.
+struct NotAsAssumed {};
+
+/// Blanks and digits where the first column ends: other lines end a block.
+inline bool starts_row(std::string_view line, std::size_t id_width) {
+    if (line.size() < id_width || id_width < 2) return false;
+    const auto blank_or_digit = [](char c) { return c == ' ' || (c >= '0' && c <= '9'); };
+    const char last = line[id_width - 1];
+    return blank_or_digit(line[0]) && blank_or_digit(line[id_width - 2]) && last >= '0' && last <= '9';
+}
 
 enum class ElementForm {
     Solid,   ///< EBLOCK,19,SOLID: eleven attributes, then nodes.
@@ -80,6 +93,8 @@ struct Deck {
 };
 
 /// One pass over the lines. Blocks are skipped, not read. Throws Error on a block without a format.
-Deck scan_deck(const Input& input, IncludeFiles* includes, Diagnostics& diagnostics);
+/// `by_counts`: a block whose announced number of rows, each as long as the first, leads to its end is not
+/// looked at at all; throws NotAsAssumed when the deck includes others.
+Deck scan_deck(const Input& input, IncludeFiles* includes, Diagnostics& diagnostics, bool by_counts = false);
 
 }  // namespace feelem::ansys::cdb

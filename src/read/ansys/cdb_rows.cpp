@@ -80,7 +80,9 @@ std::optional<std::string_view> BlockCursor::next() {
     if (found != nullptr) length = static_cast<std::size_t>(static_cast<const char*>(found) - from);
     at = std::min(at + length + 1, end);
     if (length > 0 && from[length - 1] == '\r') --length;
-    return std::string_view(from, length);
+    const std::string_view line(from, length);
+    if (checked_width != 0 && !starts_row(line, checked_width)) throw NotAsAssumed{};
+    return line;
 }
 
 NodeRows::NodeRows(const Deck& deck, const BlockRows& rows, RowRange range)

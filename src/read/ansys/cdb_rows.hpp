@@ -50,11 +50,12 @@ struct BlockCursor {
     std::size_t at = 0, end = 0;
     std::size_t stop = 0;  ///< No row begins here or behind; the last one may go on to `end`.
     char line_end = '\n';
+    std::size_t checked_width = 0;  ///< Of the first column, where lines are to be looked at; 0: they were.
 
     BlockCursor(const Deck& deck, const BlockRows& rows, RowRange range)
         : text(deck.inputs[rows.input].text()), at(range.first), end(rows.end), stop(range.stop),
-          line_end(rows.line_end) {}
-    /// The next line, without its end and a carriage return; nothing at the end.
+          line_end(rows.line_end), checked_width(rows.assumed ? rows.format.id_width : 0) {}
+    /// The next line, without its end and a carriage return; nothing at the end. Throws NotAsAssumed.
     std::optional<std::string_view> next();
     bool at_end() const { return at >= end; }
     /// False when the file ends without a line end: its last line may have been cut.
