@@ -111,17 +111,6 @@ std::optional<CollapsedElement> collapse_shell(ElementType type, std::span<const
 
 }  // namespace
 
-bool all_differ(std::span<const NodeIndex> corners) {
-    // Counted without a branch each, row by row of the triangle of pairs.
-    bool same = false;
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-        bool again = false;
-        for (std::size_t j = 0; j < i; ++j) again |= corners[i] == corners[j];
-        same |= again;
-    }
-    return !same;
-}
-
 FacetCorners collapsed_corners(const FacetRow& facet, std::span<const NodeIndex> element_nodes) {
     FacetCorners out;
     for (const std::uint8_t local : facet_corners(facet)) {

@@ -31,9 +31,6 @@ inline bool all_differ(std::span<const NodeIndex> corners) {
 /// nodes of collapsed edges repeat a corner and are dropped; quadratic wedges become wedge15.
 std::optional<CollapsedElement> collapse(ElementType type, std::span<const NodeIndex> nodes);
 
-/// Whether no node stands twice: nearly every element of a large mesh needs no more than that.
-bool all_differ(std::span<const NodeIndex> corners);
-
 /// The corners of a facet without those that repeat in sequence; at most four.
 struct FacetCorners {
     std::array<NodeIndex, 4> nodes{};
