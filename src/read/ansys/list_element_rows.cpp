@@ -34,7 +34,7 @@ struct Numbers {
 
     void note_columns() {
         first_even = width = 0;
-        if (count < 5) return;
+        if (count < 5 || length == 0) return;
         const std::size_t last = ends[count - 1] - ends[count - 2];
         if (last < 8 || last > 16) return;
         std::size_t first = count - 1;
@@ -64,6 +64,8 @@ bool read_alike(std::string_view line, Numbers& numbers) {
         values[i] = eight_columns(word, bad);
         from = end;
     }
+    for (std::size_t i = one_by_one; i < numbers.count; ++i, from += numbers.width)
+        bad |= static_cast<std::uint64_t>(line[from] != ' ');
     for (; from < line.size(); ++from)
         bad |= static_cast<std::uint64_t>(line[from] != ' ' && line[from] != '\r');
     if (bad != 0) return false;

@@ -5,8 +5,10 @@
 // there the first rows vote by geometry (is a node in the middle of an edge? are four nodes in one plane?).
 #include "read/ansys/list_types.hpp"
 
+#include "base/eight_digits.hpp"
 #include "base/number.hpp"
 #include "model/vector.hpp"
+#include "read/ansys/list_text.hpp"
 
 #include "feelem/error.hpp"
 
@@ -94,6 +96,33 @@ std::optional<ElementType> conclude(const Votes& votes) {
     return votes.most_nodes > 10 && votes.most_nodes <= 20 ? std::optional(ElementType::Hex20) : std::nullopt;
 }
 
+/// Whether the rows of a list are surely of types that have names: by the third column alone, which is far
+/// less work than reading the rows. False when in doubt.
+bool has_names_for_all(const ListFile& file, const List& list, const TypeTable& types) {
+    constexpr std::size_t kContinuationIndent = 20, kTypeEnd = 16;
+    std::int64_t named = -1;  // The last one that was looked up.
+    bool open = false;
+    for (const TextRange run : list.runs) {
+        for (Lines lines(file.input.text(), run.begin, run.end, file.line_end); lines.next();) {
+            const std::string_view line = lines.line();
+            if (!is_digit(first_mark(line))) continue;
+            if (open && line.find_first_not_of(' ') >= kContinuationIndent) continue;
+            std::int64_t id = 0, material = 0, type = 0;
+            const bool in_columns = line.size() > kTypeEnd && line[kTypeEnd] == ' ' &&
+                                    fast_integer(line.data(), 8, id) && line[8] == ' ' &&
+                                    fast_integer(line.data() + 8, 4, material) && line[12] == ' ' &&
+                                    fast_integer(line.data() + 12, 4, type);
+            if (!in_columns) return false;
+            open = true;
+            if (type == named) continue;
+            const auto known = types.find(static_cast<int>(type));
+            if (known == types.end() || known->second.name.empty()) return false;
+            named = type;
+        }
+    }
+    return true;
+}
+
 std::map<int, Votes> count_votes(
     std::span<const ListFile> files, const FindPosition& position, const TypeTable& types
 ) {
@@ -102,6 +131,7 @@ std::map<int, Votes> count_votes(
     for (const ListFile& file : files) {
         for (const List& list : file.lists) {
             if (list.kind != ListKind::Elements || !list.has_nodes) continue;
+            if (has_names_for_all(file, list, types)) continue;
             for_each_element(file, list, nullptr, [&](const ElementRowIds& row) {
                 if (row.type > std::numeric_limits<std::int32_t>::max()) return;
                 const int type = static_cast<int>(row.type);
