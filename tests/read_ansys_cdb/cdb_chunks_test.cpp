@@ -235,6 +235,7 @@ std::string even_deck(const std::string& count, const std::string& hidden, const
         const std::size_t size = 19 * 9 + std::string(line_end).size();
         const std::size_t middle =
             text.find(line_end, text.find(line_end, first) + 1) + std::string(line_end).size() + 7000 * size;
+        if (hidden.size() == size) return text.replace(middle, size, hidden) + "       -1" + line_end;
         const std::size_t taken = (hidden.size() / size + 1) * size;
         const std::size_t padding = taken - hidden.size() - 1 - std::string(line_end).size();
         // The comment comes behind the first line, which ends the block.
@@ -272,7 +273,11 @@ TEST(CdbChunks, an_announced_number_that_leads_beyond_the_end_is_not_believed) {
              {"       -1" + end + "MAT,5" + end + "EBLOCK,19,SOLID" + end + "(19i9)" + end,
               "FINISH" + end + "/EOF" + end,
               end + end,
-              rows + "  " + end + "        7        8" + end}) {
+              rows + "  " + end + "        7        8" + end,
+              // A row but for its sign, which ends the block.
+              "       -1" + rows.substr(9) +
+                  "     7001        1        2        3        4        5        6        7        8" +
+                  end}) {
             const auto told = [&](const std::string& count) -> std::pair<Mesh, std::string> {
                 try {
                     const auto opened = open_deck(even_deck(count, hidden, end.c_str()));
