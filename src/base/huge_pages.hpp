@@ -18,11 +18,22 @@ namespace feelem {
 /// A wish, for memory that has not been touched yet. Does nothing for less than a few pages.
 void prefer_huge_pages(const void* memory, std::size_t bytes) noexcept;
 
-/// An empty vector with room for `count`.
+/// Room for `count`.
 template <class T>
 void reserve_big(std::vector<T>& values, std::size_t count) {
+    if (count <= values.capacity()) return;
     values.reserve(count);
-    prefer_huge_pages(values.data(), count * sizeof(T));
+    prefer_huge_pages(values.data(), values.capacity() * sizeof(T));
+}
+
+/// Before one more is added to a vector that is full: room for as many as `left` bytes of text hold, if each
+/// takes `each` of them, as the last one did.
+template <class T>
+void grow_by_text(std::vector<T>& values, std::size_t left, std::size_t each) {
+    constexpr std::size_t kShortest = 8;
+    if (values.size() < values.capacity()) return;
+    const std::size_t more = left / std::max(each, kShortest);
+    reserve_big(values, values.size() + values.size() / 2 + more + 1);
 }
 
 /// `count` elements of value zero.

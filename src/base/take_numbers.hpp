@@ -197,6 +197,12 @@ private:
 /// something else. Beyond `width`, the columns that the line has, nothing counts, but all are read.
 template <class Word>
 bool fixed_integer(const char* at, std::size_t width, std::int64_t blank, std::int64_t& out) {
+    // Digits to the end of the field first: nearly all are written so.
+    if (width == sizeof(Word)) {
+        std::uint64_t bad = sizeof(Word) == 16 ? load8(at) ^ 0x2020202020202020 : 0;
+        out = eight_columns(load8(at + sizeof(Word) - 8), bad);
+        if (bad == 0) return true;
+    }
     FieldCursor<Word> field(at);
     field.cut(width);
     field.skip_blanks();

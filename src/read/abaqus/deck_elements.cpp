@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/abaqus/deck_elements.hpp"
 
+#include "base/huge_pages.hpp"
 #include "read/abaqus/plain_rows.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +67,6 @@ private:
         const char* at = text.data();
         const char* const end = at + text.size();
         const std::size_t width = run.type.most_nodes;
-        const std::size_t shortest = 2 * (width + 1);
         Label id = 0;
         RowColumns columns;
         const auto nodes = std::span(nodes_).first(width);
@@ -75,14 +75,12 @@ private:
             return (is_like && take_like_element_row(at, id, nodes, columns)) ||
                    take_element_row(at, end, id, nodes, columns);
         };
-        while (take_row()) {
+        for (const char* row = at; take_row(); row = at) {
+            if (run.ids.size() == run.ids.capacity()) {
+                grow_by_text(run.ids, static_cast<std::size_t>(end - at), static_cast<std::size_t>(at - row));
+                reserve_big(run.nodes, run.ids.capacity() * width);
+            }
             add_row(run, id);
-            if (run.ids.size() != run.ids.capacity()) continue;
-            // As many more as rows of this length make.
-            const auto row = std::max(static_cast<std::size_t>(at - text.data()), shortest);
-            const std::size_t more = run.ids.size() / 2 + static_cast<std::size_t>(end - at) / row;
-            run.ids.reserve(run.ids.size() + more);
-            run.nodes.reserve(run.nodes.size() + more * width);
         }
         if (at != text.data()) lines_.go_on_at(at);
     }

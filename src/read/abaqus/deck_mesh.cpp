@@ -115,7 +115,8 @@ private:
             for (const Scope* table : scope.tables) {
                 for (std::size_t i = 0; i < table->node_ids.size(); ++i) {
                     const Label label = table->node_ids[i];
-                    const Point3 place = placed(scope.placement, table->places[i]);
+                    const Point3 place =
+                        scope.placement.moves ? placed(scope.placement, table->places[i]) : table->places[i];
                     const auto turned = angles.find(label);
                     if (turned == angles.end()) {
                         builder_.add_node(scope.node(label), place);

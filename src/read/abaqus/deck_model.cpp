@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/abaqus/deck_model.hpp"
 
+#include "base/huge_pages.hpp"
 #include "read/abaqus/deck_elements.hpp"
 #include "read/abaqus/deck_generate.hpp"
 #include "read/abaqus/plain_rows.hpp"
@@ -142,7 +143,7 @@ private:
         const auto add = [&](Label id, Point3 place) {
             if (kind != SystemKind::Rectangular) place = cartesian(kind, place);
             into.node_ids.push_back(id);
-            into.places.push_back(placed(system_, place));
+            into.places.push_back(system_.moves ? placed(system_, place) : place);
             if (set != nullptr) add_label(*set, id);
         };
         for (;;) {
@@ -161,7 +162,6 @@ private:
     /// Rows as programs write them, as long as they follow each other.
     template <class Add>
     static void take_plain_nodes(DataLines& lines, Scope& into, const Add& add) {
-        constexpr std::size_t kShortest = 8;
         const std::string_view text = lines.ahead();
         const char* at = text.data();
         const char* const end = at + text.size();
@@ -173,14 +173,11 @@ private:
             return (is_like && take_like_node_row(at, id, place, columns)) ||
                    take_node_row(at, end, id, place, columns);
         };
-        while (take_row()) {
+        for (const char* row = at; take_row(); row = at) {
+            const auto left = static_cast<std::size_t>(end - at);
+            grow_by_text(into.node_ids, left, static_cast<std::size_t>(at - row));
+            grow_by_text(into.places, left, static_cast<std::size_t>(at - row));
             add(id, place);
-            if (into.node_ids.size() != into.node_ids.capacity()) continue;
-            // As many more as rows of this length make.
-            const auto row = std::max(static_cast<std::size_t>(at - text.data()), kShortest);
-            const std::size_t more = into.node_ids.size() / 2 + static_cast<std::size_t>(end - at) / row;
-            into.node_ids.reserve(into.node_ids.size() + more);
-            into.places.reserve(into.node_ids.size() + more);
         }
         if (at != text.data()) lines.go_on_at(at);
     }

@@ -9,6 +9,7 @@
 #include "read/calculix/frd_values.hpp"
 
 #include "base/byte_reader.hpp"
+#include "base/huge_pages.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "read/calculix/frd_fields.hpp"
@@ -82,6 +83,7 @@ public:
 
 private:
     void clear() {
+        reserve_big(values_, mesh_.node_count() * columns_.count);
         values_.assign(mesh_.node_count() * columns_.count, std::numeric_limits<float>::quiet_NaN());
         without_node_ = 0;
         without_number_ = 0;

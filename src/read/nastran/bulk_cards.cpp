@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/nastran/bulk_cards.hpp"
 
+#include "base/huge_pages.hpp"
 #include "read/nastran/bulk_card.hpp"
 #include "read/nastran/nastran_elements.hpp"
 #include "read/nastran/plain_cards.hpp"
@@ -74,7 +75,10 @@ private:
     std::optional<std::size_t> take_plain_grid(std::string_view text, std::size_t at) {
         BulkGrid grid;
         const auto next = read_plain_grid(text, at, grid);
-        if (next) out_.grids.push_back(grid);
+        if (next) {
+            grow_by_text(out_.grids, text.size() - *next, *next - at);
+            out_.grids.push_back(grid);
+        }
         return next;
     }
 
@@ -85,6 +89,7 @@ private:
         if (card == nullptr || card->name == "PLOTEL") return {};
         const auto head = look_over_plain_card(text, at, length);
         if (!head || head->id <= 0) return {};
+        grow_by_text(out_.elements, text.size() - head->next, head->next - at);
         add_element(*card, head->id, at, text[at + length] == '*', 0);
         return head->next;
     }

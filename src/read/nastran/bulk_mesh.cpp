@@ -196,7 +196,8 @@ private:
             place.shift == 0 &&
             free_cards_.read(text, place.offset, card.name.size(), first + card.node_count(), fields);
         if (!is_plain) return false;
-        for (std::size_t i = 0; i < card.node_count(); ++i) {
+        const std::size_t count = card.node_count();
+        for (std::size_t i = 0; i < count; ++i) {
             const std::int64_t node = fields.values[first + i];
             if (node > std::numeric_limits<std::int32_t>::max()) return false;
             nodes[i] = node == kBlankField ? 0 : node;

@@ -5,6 +5,7 @@
 #include "base/take_numbers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace feelem::nastran {
@@ -27,9 +28,18 @@ struct CardLine {
     const char* next = nullptr;  ///< The line behind it.
 };
 
-/// Empty near the end of the text, where columns cannot be looked at eight at a time.
+/// Lengths that lines of meshes nearly always have: two fields or a large one, a GRID with three coordinates,
+/// eight fields and a mark. In ascending order, so that a longer line is not found across a shorter one.
+constexpr std::array<std::size_t, 3> kUsualLengths{24, 48, 73};
+
+/// Empty near the end of the text, where columns cannot be looked at eight at a time. A line that ends at a
+/// usual length is not searched: callers look at every column, and refuse a line end among them.
 std::optional<CardLine> card_line_from(const char* first, const char* end) {
     if (static_cast<std::size_t>(end - first) < kLongestLine + kRoomBehind) return {};
+    for (const std::size_t length : kUsualLengths) {
+        if (first[length] == '\n' && first[length - 1] != '\r')
+            return CardLine{first, length, first + length + 1};
+    }
     const void* found = std::memchr(first, '\n', kLongestLine + 2);
     if (found == nullptr) return {};
     const char* last = static_cast<const char*>(found);
