@@ -111,10 +111,15 @@ public:
         split(0, 0, static_cast<std::uint32_t>(order_.size()));
     }
 
+    /// `near`: a triangle that may be close, to begin with; the answer is the same whatever it is.
     template <class Suits>
-    Found nearest(Vec p, const Suits& suits) const {
+    Found nearest(Vec p, const Suits& suits, std::uint32_t near = kNowhere) const {
         Found best;
         if (boxes_.empty()) return best;
+        if (near != kNowhere && suits(near)) {
+            best = nearest_on(p, triangles_[near]);
+            best.triangle = near;
+        }
         std::array<std::uint32_t, 128> stack;
         std::size_t depth = 0;
         stack[depth++] = 0;
@@ -235,7 +240,8 @@ public:
         parallel_chunks(vertices, kChunk, [&](std::size_t first, std::size_t last) {
             LodCheck& part = parts[first / kChunk];
             part.fields.resize(fields_.size());
-            for (std::size_t v = first; v < last; ++v) check(static_cast<std::uint32_t>(v), part);
+            std::uint32_t near = kNowhere;
+            for (std::size_t v = first; v < last; ++v) check(static_cast<std::uint32_t>(v), part, near);
         });
         LodCheck sum;
         sum.fields.resize(fields_.size());
@@ -301,7 +307,8 @@ private:
         return {};
     }
 
-    void check(std::uint32_t v, LodCheck& out) const {
+    /// `near`: of the vertex before; then of this one.
+    void check(std::uint32_t v, LodCheck& out, std::uint32_t& near) const {
         if (!is_drawn(v)) return;
         std::uint64_t missing = ~std::uint64_t{0};
         for (const std::uint32_t t : original_.of(v)) missing &= missing_in(surface_.triangles[t]);
@@ -313,7 +320,8 @@ private:
         };
         const Vec p = place_of(VertexIndex{v});
         Found found = own_place(v, suits);
-        if (found.triangle == kNowhere) found = tree_.nearest(p, suits);
+        if (found.triangle == kNowhere) found = tree_.nearest(p, suits, near);
+        if (found.triangle != kNowhere) near = found.triangle;
         ++out.vertices;
         if (found.triangle == kNowhere) {
             ++out.without_place;
