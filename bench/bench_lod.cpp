@@ -139,7 +139,8 @@ double measure(const bench::LodModel& model, const Settings& settings, LodLevel&
 }
 
 /// Fewest triangles of meshopt_simplify whose strict error is at most `error` (fraction of the range):
-/// bisection over its target count, to 5 %; "triangles" counts what its result has.
+/// bisection over its target count, to 5 %; "triangles" counts what its result has, or all when no
+/// count reached it.
 void measure_peer(const bench::LodModel& model, const Settings& settings, std::size_t ours, double error) {
     std::vector<float> positions;
     for (const Point3& p : model.positions) {
@@ -194,13 +195,15 @@ void measure_peer(const bench::LodModel& model, const Settings& settings, std::s
         }
     }
     fmt::print(
-        "{{\"what\": \"meshopt_simplify {}\", \"error\": {:.3g}, \"rounds\": {}, \"triangles\": {}, "
+        "{{\"what\": \"meshopt_simplify {}\", \"error\": {:.3g}, \"rounds\": {}, \"reached\": {}, "
+        "\"triangles\": {}, "
         "\"ours\": {}, \"ratio\": "
         "{:.2f}, "
         "\"cpu_seconds\": {:.2f}}}\n",
         MESHOPTIMIZER_VERSION,
         error,
         rounds,
+        best < model.triangles.size(),
         best,
         ours,
         static_cast<double>(best) / static_cast<double>(ours),
