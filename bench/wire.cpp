@@ -3,14 +3,11 @@
 // one core to unpack, and bytes a vertex of each further step. Packs with the arrays and bounds that scenes
 // use. Usage: bench_wire sheet SIDE | MODEL.frd | zstd FILE (its size when sent)
 #include "base/input.hpp"
-#include "lod_models.hpp"
 #include "scene/packed_arrays.hpp"
 #include "scene/steps.hpp"
-
-#include "feelem/skin.hpp"
+#include "wire_model.hpp"
 
 #include <fmt/format.h>
-#include <time.h>
 #include <zstd.h>
 
 #include <algorithm>
@@ -25,27 +22,11 @@
 namespace {
 
 using namespace feelem;
+using bench::Drawn;
+using bench::least_time;
 using Bytes = std::vector<std::byte>;
 
 constexpr int kLevel = 3;  // As the server sends it.
-
-double processor_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// The least of five: what else the machine does can only add to it.
-template <class Work>
-double least_time(const Work& work) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < 5; ++round) {
-        const double begin = processor_seconds();
-        work();
-        least = std::min(least, processor_seconds() - begin);
-    }
-    return least;
-}
 
 Bytes zstd_of(const Bytes& bytes) {
     Bytes out(ZSTD_compressBound(bytes.size()));
@@ -86,43 +67,6 @@ double unsend_seconds(const Packed& packed) {
         if (ZSTD_decompress(room.data(), room.size(), packed.sent.data(), packed.sent.size()) != room.size())
             throw std::runtime_error("zstd lost something");
     });
-}
-
-/// A surface in the order in which scenes pack it, and its result beside it.
-struct Drawn {
-    std::vector<std::array<float, 3>> positions;
-    std::vector<std::uint32_t> indices;
-    std::vector<float> values;
-    std::array<float, 2> range{};
-};
-
-Drawn drawn(const bench::LodModel& model) {
-    Surface surface;
-    const auto vertices = static_cast<std::uint32_t>(model.positions.size());
-    SurfacePart part;
-    part.vertex_count = vertices;
-    part.triangle_count = static_cast<std::uint32_t>(model.triangles.size());
-    surface.parts.push_back(part);
-    surface.positions = model.positions;
-    surface.triangles = model.triangles;
-    surface.triangle_element.resize(model.triangles.size());
-    surface.normals.resize(vertices);
-    for (std::uint32_t v = 0; v < vertices; ++v) surface.vertex_node.push_back(NodeIndex{v});
-    order_for_drawing(surface);
-    Drawn out;
-    for (std::uint32_t v = 0; v < vertices; ++v) {
-        const Point3& at = surface.positions[v];
-        out.positions.push_back(
-            {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])}
-        );
-        out.values.push_back(model.fields[0][raw(surface.vertex_node[v])]);
-    }
-    for (const auto& triangle : surface.triangles) {
-        for (const VertexIndex corner : triangle) out.indices.push_back(raw(corner));
-    }
-    const auto [low, high] = std::ranges::minmax_element(out.values);
-    out.range = {*low, *high};
-    return out;
 }
 
 Packed positions_on_grid(const Drawn& model, double& bound) {
@@ -205,8 +149,7 @@ void say_whole(
     );
 }
 
-void measure(const bench::LodModel& source) {
-    const Drawn model = drawn(source);
+void measure(const Drawn& model) {
     const Packed indices = finish(
         pack_indices(model.indices, Packing::Triangles),
         model.indices.size(),
@@ -246,16 +189,14 @@ void measure(const bench::LodModel& source) {
 
 int main(int count, char** arguments) {
     const std::vector<std::string> given(arguments + 1, arguments + count);
-    if (given.size() == 2 && given[0] == "sheet") {
-        measure(bench::wavy_sheet(static_cast<std::uint32_t>(std::stoul(given[1])), 0.6));
-    } else if (given.size() == 2 && given[0] == "zstd") {
+    if (given.size() == 2 && given[0] == "zstd") {
         const Input file = Input::from_file(given[1]);
         fmt::print("{}\n", zstd_of({file.bytes().begin(), file.bytes().end()}).size());
     } else if (given.size() == 2 && given[0] == "zstd") {
         const Input file = Input::from_file(given[1]);
         fmt::print("{}\n", zstd_of({file.bytes().begin(), file.bytes().end()}).size());
-    } else if (given.size() == 1) {
-        measure(bench::refined_model(given[0]));
+    } else if (const auto model = bench::drawn_model(given)) {
+        measure(*model);
     } else {
         fmt::print(stderr, "usage: bench_wire sheet SIDE | MODEL.frd | zstd FILE\n");
         return 2;

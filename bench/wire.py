@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What scenes cost on their way to the page: bytes a triangle with and without a bound, each further step, and time of one core
 to unpack, on an irregular sheet of two million triangles and on the boiler cut finely; then the files that `feelem convert` writes
-of the boiler, all their arrays counted. Writes bench/results/wire.json.
+of the boiler, all their arrays counted. Draco and zfp beside them, where they are installed. Writes bench/results/wire.json.
 
     bench/wire.py [--side 1000] [--bin build/bench/bin]"""
 import argparse
@@ -48,12 +48,15 @@ def main():
     options.add_argument("--bin", type=Path, default=HERE.parent / "build/bench/bin")
     options = options.parse_args()
     models = {"irregular sheet": ["sheet", str(options.side)], "boiler, von Mises stress": [BOILER / "boiler.frd"]}
-    rows = []
+    rows, peers = [], []
     for name, arguments in models.items():
         for line in run_process([options.bin / "bench_wire", *arguments]).out.splitlines():
             rows.append({"model": name, **json.loads(line)})
+        if (options.bin / "bench_codecs").exists():
+            peers += [{"model": name, **json.loads(line)}
+                      for line in run_process([options.bin / "bench_codecs", *arguments]).out.splitlines()]
     report = write_report("wire", {"what": "arrays of compressed scenes: positions, triangles and one result; least of 5, one core",
-                                   "rows": rows, "scenes": scenes(options.bin, options.bin / "feelem")})
+                                   "rows": rows, "peers": peers, "scenes": scenes(options.bin, options.bin / "feelem")})
     print(json.dumps(report, indent=1))
 
 
