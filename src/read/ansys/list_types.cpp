@@ -99,14 +99,14 @@ std::optional<ElementType> conclude(const Votes& votes) {
 /// Whether the rows of a list are surely of types that have names: by the third column alone, which is far
 /// less work than reading the rows. False when in doubt.
 bool has_names_for_all(const ListFile& file, const List& list, const TypeTable& types) {
-    constexpr std::size_t kContinuationIndent = 20, kTypeEnd = 16;
+    constexpr std::size_t kFurtherRow = 20, kTypeEnd = 16;
     std::int64_t named = -1;  // The last one that was looked up.
     bool open = false;
     for (const TextRange run : list.runs) {
         for (Lines lines(file.input.text(), run.begin, run.end, file.line_end); lines.next();) {
             const std::string_view line = lines.line();
             if (!is_digit(first_mark(line))) continue;
-            if (open && line.find_first_not_of(' ') >= kContinuationIndent) continue;
+            if (open && line.find_first_not_of(' ') >= kFurtherRow) continue;
             std::int64_t id = 0, material = 0, type = 0;
             const bool in_columns = line.size() > kTypeEnd && line[kTypeEnd] == ' ' &&
                                     fast_integer(line.data(), 8, id) && line[8] == ' ' &&
