@@ -12,22 +12,23 @@ namespace {
 /// The facets of elements of a type that is known when this is compiled.
 template <ElementType kType>
 void hash_elements(ElementRun run, FacetHashes what, FacetBatch& out, std::size_t at) {
-    static constexpr const ElementRow& kRow = element_table::kTable[static_cast<std::size_t>(kType)];
+    const ElementRow& row =
+        element_table::kTable[static_cast<std::size_t>(kType)];  // Known, as is all in it.
     const NodeIndex* first = run.nodes;
-    for (std::size_t e = 0; e < run.count; ++e, first += kRow.node_count) {
+    for (std::size_t e = 0; e < run.count; ++e, first += row.node_count) {
         fetch_elements_after(first);
-        const std::span nodes(first, kRow.node_count);
-        out.may_repeat = out.may_repeat || facet_hash::repeats(kRow, nodes);
-        const facet_hash::ElementKeys keys = facet_hash::keys_of(kRow, nodes);
+        const std::span nodes(first, row.node_count);
+        out.may_repeat = out.may_repeat || facet_hash::repeats(row, nodes);
+        const facet_hash::ElementKeys keys = facet_hash::keys_of(row, nodes);
         const auto one = [&](const FacetRow& facet) {
             const FacetHash hash = facet_hash::of(facet, nodes, keys);
             out.hashes[at] = what == FacetHashes::Signed ? hash.value : hash.corners;
             out.lowest[at++] = hash.lowest;
         };
         [&]<std::size_t... kFacets>(std::index_sequence<kFacets...>) {
-            (one(kRow.facets[kFacets]), ...);
+            (one(row.facets[kFacets]), ...);
         }
-        (std::make_index_sequence<kRow.facet_count>());
+        (std::make_index_sequence<element_table::kTable[static_cast<std::size_t>(kType)].facet_count>());
     }
 }
 

@@ -29,6 +29,8 @@ namespace {
 
 /// How many sums before its turn a sum is fetched from memory.
 constexpr std::size_t kAhead = 24;
+/// Elements that are passed over together when none of them is on the skin.
+constexpr std::size_t kBytesAtOnce = sizeof(std::uint64_t);
 /// Elements whose candidates wait in the cache to be matched.
 constexpr std::size_t kCandidateChunk = 4096;
 
@@ -276,21 +278,20 @@ void for_each_candidate(
 
 /// The outer facets in order.
 void collect(const std::vector<SolidBlock>& blocks, const FacetTable& table, OuterFacets& found) {
-    constexpr std::size_t kAtOnce = sizeof(std::uint64_t);
     reserve_big(found.outer, table.outer_count());
     for (const SolidBlock& solids : blocks) {
         const auto bits_of = table.outer_facets().subspan(solids.first_element, solids.block->ids.size());
         for (std::size_t i = 0; i < bits_of.size();) {
             std::uint64_t many = 1;
-            if (i + kAtOnce <= bits_of.size()) std::memcpy(&many, &bits_of[i], kAtOnce);
-            const std::size_t end = many == 0 ? i : std::min(i + kAtOnce, bits_of.size());
+            if (i + kBytesAtOnce <= bits_of.size()) std::memcpy(&many, &bits_of[i], kBytesAtOnce);
+            const std::size_t end = many == 0 ? i : std::min(i + kBytesAtOnce, bits_of.size());
             for (; i < end; ++i) {
                 for (unsigned bits = bits_of[i]; bits != 0; bits &= bits - 1) {
                     const auto facet = static_cast<std::uint8_t>(std::countr_zero(bits));
                     found.outer.push_back({static_cast<std::uint32_t>(i), solids.index, facet});
                 }
             }
-            if (many == 0) i += kAtOnce;
+            if (many == 0) i += kBytesAtOnce;
         }
     }
 }
