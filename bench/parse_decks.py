@@ -4,7 +4,7 @@
 that all found the same mesh, then runs peer and Feelem in turn, one core each, and prints gigabytes a second and ratios of
 processor time: of reading alone, and of whole processes. Writes bench/results/NAME.json. A wrong answer fails; a slow one does not.
 
-    bench/parse_decks.py [--side 100] [--peer-side 50] [--rounds 5] [--bin build/release/bin] [--work build/bench] [--name parse-decks]"""
+    bench/parse_decks.py [--side 100] [--peer-side 100] [--rounds 3] [--bin build/release/bin] [--work build/bench] [--name parse-decks]"""
 import argparse
 import json
 import subprocess
@@ -73,7 +73,7 @@ def times_faster(peer, ours):
 
 
 def beside_meshio(options, form):
-    """The same small file through both: meshio takes a second for ten megabytes."""
+    """The same file through both."""
     path = made(options, form, options.peer_side)
     runs = run_alternating({"meshio": [PYTHON, HERE / "peers/read_meshio.py", path],
                             "feelem": [options.bin / "bench_read_model", path, 1, 1]}, options.rounds, cores={0})
@@ -111,8 +111,8 @@ def beside_vtk(options):
 def main():
     options = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     options.add_argument("--side", type=int, default=100, help="nodes along each edge of the block")
-    options.add_argument("--peer-side", type=int, default=50, help="of the block that meshio reads")
-    options.add_argument("--rounds", type=int, default=5)
+    options.add_argument("--peer-side", type=int, default=100, help="of the block that meshio reads: ten seconds a file at 100")
+    options.add_argument("--rounds", type=int, default=3)
     options.add_argument("--bin", type=Path, default=HERE.parent / "build/release/bin")
     options.add_argument("--work", type=Path, default=HERE.parent / "build/bench")
     options.add_argument("--name", default="parse-decks")
