@@ -51,7 +51,7 @@ Ends ends_at(std::span<const VertexIndex> vertices, std::span<const float> value
     return ends;
 }
 
-struct Judged {
+struct UnderCheck {
     const LodSurface& surface;
     std::span<const std::array<VertexIndex, 3>> level;
     double distance;
@@ -64,12 +64,12 @@ struct Batch {
     std::size_t first = 0, fields = 0;
 };
 
-void judge_batch(const Judged& judged, const Batch& batch, LevelJudgement& out) {
+void judge_batch(const UnderCheck& under, const Batch& batch, LevelJudgement& out) {
     std::vector<LodField> fields;
     for (const ComponentValues& components : batch.values) {
         for (const std::vector<float>& values : components) fields.push_back({values, 1});
     }
-    const LodCheck check = check_level(judged.surface, fields, judged.level, judged.distance);
+    const LodCheck check = check_level(under.surface, fields, under.level, under.distance);
     out.max_distance = std::max(out.max_distance, check.max_distance);
     out.without_place = std::max(out.without_place, check.without_place);
     out.invented += check.invented;
@@ -80,19 +80,19 @@ void judge_batch(const Judged& judged, const Batch& batch, LevelJudgement& out) 
         for (const std::vector<float>& values : batch.values[i]) {
             value.shown.push_back(check.fields[k++].max);
             value.keeps_extremes =
-                value.keeps_extremes && ends_at(judged.seen_before, values) == ends_at(judged.seen, values);
+                value.keeps_extremes && ends_at(under.seen_before, values) == ends_at(under.seen, values);
         }
     }
 }
 
 /// From the middles of the level's triangles to the original ones: nothing may be drawn where nothing was.
 /// The same checker, with the two changed over.
-double distance_of_middles(const Judged& judged) {
-    std::vector<Point3> positions(judged.surface.positions.begin(), judged.surface.positions.end());
+double distance_of_middles(const UnderCheck& under) {
+    std::vector<Point3> positions(under.surface.positions.begin(), under.surface.positions.end());
     std::vector<std::array<VertexIndex, 3>> thirds;
     LodSurface middles;
-    middles.parts = judged.surface.parts;
-    for (const auto& t : judged.level) {
+    middles.parts = under.surface.parts;
+    for (const auto& t : under.level) {
         const VertexIndex middle{static_cast<std::uint32_t>(positions.size())};
         Point3 sum{};
         for (const VertexIndex v : t) {
@@ -104,7 +104,7 @@ double distance_of_middles(const Judged& judged) {
     }
     middles.positions = positions;
     middles.triangles = thirds;
-    const LodCheck check = check_level(middles, {}, judged.surface.triangles, judged.distance);
+    const LodCheck check = check_level(middles, {}, under.surface.triangles, under.distance);
     return check.without_place > 0 ? std::numeric_limits<double>::infinity() : check.max_distance;
 }
 
@@ -119,19 +119,19 @@ LevelJudgement judge_level(
 ) {
     LevelJudgement judgement;
     judgement.values.resize(count);
-    const Judged judged{
+    const UnderCheck under{
         surface, level, distance, seen_vertices(surface, surface.triangles), seen_vertices(surface, level)};
-    judgement.max_distance = distance_of_middles(judged);
+    judgement.max_distance = distance_of_middles(under);
     Batch batch;
     for (std::size_t i = 0; i < count; ++i) {
         ComponentValues values = load(i);
         if (!batch.values.empty() && batch.fields + values.size() > kFieldsAtOnce) {
-            judge_batch(judged, std::exchange(batch, {{}, i, 0}), judgement);
+            judge_batch(under, std::exchange(batch, {{}, i, 0}), judgement);
         }
         batch.fields += values.size();
         batch.values.push_back(std::move(values));
     }
-    judge_batch(judged, batch, judgement);
+    judge_batch(under, batch, judgement);
     return judgement;
 }
 

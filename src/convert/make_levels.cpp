@@ -21,7 +21,7 @@ namespace {
 
 /// What a headset draws without dropping frames, and what a weak machine does.
 constexpr std::uint64_t kHeadsetTriangles = 500'000;
-constexpr std::uint64_t kFewTriangles = 125'000;
+constexpr std::uint64_t kWeakTriangles = 125'000;
 /// Fraction of a result's range over the model and the steps.
 constexpr double kUsualBound = 0.005;
 constexpr double kWidestBound = 0.05;
@@ -76,7 +76,7 @@ void note(const Work& work, const std::string& text) {
 std::vector<LodTarget> targets_of(const LevelWish& wish) {
     if (wish.kind == LevelWish::Kind::Triangles) return {{wish.triangles, 1}};
     if (wish.kind == LevelWish::Kind::Bound) return {{0, 1}};
-    return {{kHeadsetTriangles, 1}, {kFewTriangles, 1}};
+    return {{kHeadsetTriangles, 1}, {kWeakTriangles, 1}};
 }
 
 double share_of(const LevelWish& wish) {

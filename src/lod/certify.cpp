@@ -257,8 +257,6 @@ LodLevel certified_level(
 namespace feelem {
 namespace {
 
-using lod::kNone;
-
 /// Differences of some fields at one sample; missing on either side: none, the checker looks at that.
 struct Measured {
     std::vector<double> max, squares;
@@ -300,7 +298,7 @@ std::vector<LodFieldError> measure_level(
     sums.max.assign(fields.size(), 0);
     sums.squares.assign(fields.size(), 0);
     const auto add = [&](std::span<const std::uint32_t> of, std::uint32_t triangle) {
-        if (triangle != kNone) sums.add(surface, fields, of, level.triangles[triangle]);
+        if (triangle != lod::kNone) sums.add(surface, fields, of, level.triangles[triangle]);
     };
     for (std::uint32_t v = 0; v < level.witness.size(); ++v) add({&v, 1}, level.witness[v]);
     for (std::size_t t = 0; t < level.middle_witness.size(); ++t) {
