@@ -100,6 +100,12 @@ double component_value(const SurfaceField& field, std::size_t vertex, int compon
     return std::sqrt(x * x + y * y + z * z);
 }
 
+/// Outwards, so that no value changes sides at the ends of the range.
+float on_texcoord_grid(float u) {
+    const float pieces = u / kTexcoordGrid;
+    return (u > 15.0F / 16 ? std::ceil(pieces) : std::floor(pieces)) * kTexcoordGrid;
+}
+
 }  // namespace
 
 void choose_coloured(SceneBuild& build) {
@@ -138,7 +144,11 @@ std::array<float, 2> texcoord_of(double value, const ValueRange& range) {
         u = std::min(u + kInset, 15.0 / 16 - kInset);
     else
         u = std::clamp(u, -15.0, 16.0);
-    return {static_cast<float>(u), 0.0F};
+    const auto place = static_cast<float>(u);
+    // Rounded to float32, a value hardly outside would stand on the border and be drawn as one inside.
+    if (t < 0) return {std::min(place, std::nextafter(1.0F / 16, 0.0F)), 0.0F};
+    if (t > 1) return {std::max(place, std::nextafter(15.0F / 16, 1.0F)), 0.0F};
+    return {place, 0.0F};
 }
 
 void write_texcoords(SceneBuild& build, const SurfaceField& field, std::size_t set) {
@@ -147,13 +157,12 @@ void write_texcoords(SceneBuild& build, const SurfaceField& field, std::size_t s
         const std::size_t first = part.range->first_vertex;
         const std::string semantic = fmt::format("TEXCOORD_{}", set);
         ArraySpec spec{part.prefix + semantic, 2, part.range->vertex_count, gltf::kAttributeTarget, false};
-        // Downwards, so that no value changes sides at the ends of the range.
         spec.grid = build.grid > 0 ? kTexcoordGrid : 0;
         const int accessor = build.arrays.floats(spec, [&](std::size_t row, float* out) {
             const bool missing = field.validity[first + row] == Validity::Missing;
             const double value = missing ? NAN : component_value(field, first + row, coloured.component);
             std::ranges::copy(texcoord_of(value, coloured.range), out);
-            if (spec.grid > 0) out[0] = std::floor(out[0] / spec.grid) * spec.grid;
+            if (spec.grid > 0) out[0] = on_texcoord_grid(out[0]);
         });
         part.mesh.primitive.attributes.emplace_back(semantic, accessor);
     }

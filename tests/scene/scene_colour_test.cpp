@@ -37,6 +37,12 @@ TEST(Texcoord, goes_on_beyond_the_range_so_that_its_border_is_exact_inside_trian
     EXPECT_THAT(texcoord_of(1e30, range), ElementsAre(16.0F, 0.0F));
 }
 
+TEST(Texcoord, a_value_hardly_outside_is_drawn_outside) {
+    const ValueRange range{0.95233082771301272, 296.7571105957031, Scale::Linear};
+    EXPECT_LT(texcoord_of(static_cast<double>(0.95233047F), range)[0], 1.0F / 16);
+    EXPECT_GT(texcoord_of(296.7571105957032, range)[0], 15.0F / 16);
+}
+
 TEST(Texcoord, points_at_the_missing_colour_without_a_value) {
     const ValueRange range{0, 1, Scale::Linear};
     EXPECT_THAT(texcoord_of(NAN, range), ElementsAre(0.5F, 1.0F));
