@@ -24,15 +24,13 @@ using bench::least_time;
 constexpr int kPositionBits = 16;
 
 int add_attribute(
-    draco::Mesh& mesh, draco::GeometryAttribute::Type type, std::int8_t width, const float* values
+    draco::Mesh& mesh, draco::GeometryAttribute::Type type, std::uint8_t width, const float* values
 ) {
     draco::GeometryAttribute attribute;
     attribute.Init(type, nullptr, width, draco::DT_FLOAT32, false, 4 * width, 0);
     const int id = mesh.AddAttribute(attribute, true, mesh.num_points());
     for (std::uint32_t v = 0; v < mesh.num_points(); ++v)
-        mesh.attribute(id)->SetAttributeValue(
-            draco::AttributeValueIndex(v), values + v * static_cast<std::uint32_t>(width)
-        );
+        mesh.attribute(id)->SetAttributeValue(draco::AttributeValueIndex(v), values + v * width);
     return id;
 }
 
