@@ -55,7 +55,7 @@ def main():
         if (options.bin / "bench_codecs").exists():
             peers += [{"model": name, **json.loads(line)}
                       for line in run_process([options.bin / "bench_codecs", *arguments]).out.splitlines()]
-    report = write_report("wire", {"what": "arrays of compressed scenes: positions, triangles and one result; least of 5, one core",
+    report = write_report("wire", {"what": "arrays of compressed scenes: positions, triangles and one result; least of 25, one core",
                                    "rows": rows, "peers": peers, "scenes": scenes(options.bin, options.bin / "feelem")})
     print(json.dumps(report, indent=1))
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/packed_arrays.hpp"
 
-#include "base/huge_pages.hpp"
-
 #include "feelem/error.hpp"
 
 #include <meshoptimizer.h>
@@ -104,11 +102,11 @@ std::vector<std::uint32_t> with_one_exponent(std::span<const float> values, floa
     return out;
 }
 
-std::optional<std::vector<std::byte>> unpack(std::span<const std::byte> packed, const PackedView& view) {
+std::optional<ZeroedArray<std::byte>> unpack(std::span<const std::byte> packed, const PackedView& view) {
     if (!is_possible(view) || !may_hold(packed.size(), view)) return std::nullopt;
     const auto count = static_cast<std::size_t>(view.count), stride = static_cast<std::size_t>(view.stride);
     const auto* from = reinterpret_cast<const unsigned char*>(packed.data());
-    std::vector<std::byte> out = big_zeros<std::byte>(count * stride);
+    ZeroedArray<std::byte> out(count * stride);
     int status = 0;
     switch (view.mode) {
     case Packing::Attributes:

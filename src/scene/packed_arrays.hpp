@@ -2,6 +2,8 @@
 // Arrays as EXT_meshopt_compression packs them (vertex codec 0, index codec 1), and back.
 #pragma once
 
+#include "base/huge_pages.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,6 +47,6 @@ std::vector<std::byte> pack_indices(std::span<const std::uint32_t> indices, Pack
 std::vector<std::uint32_t> with_one_exponent(std::span<const float> values, float grid);
 
 /// The rows again; nothing when the bytes cannot be what `view` says (then no memory was taken for them).
-std::optional<std::vector<std::byte>> unpack(std::span<const std::byte> packed, const PackedView& view);
+std::optional<ZeroedArray<std::byte>> unpack(std::span<const std::byte> packed, const PackedView& view);
 
 }  // namespace feelem

@@ -112,7 +112,9 @@ std::span<const std::byte> SceneFile::buffer_bytes(int index) const {
     return in_chunk ? main_.bytes().subspan(binary_begin_, binary_size_) : buffer(index).bytes();
 }
 
-std::span<const std::byte> SceneFile::view_bytes(const ReadView& view, std::vector<std::byte>& room) const {
+std::span<const std::byte> SceneFile::view_bytes(
+    const ReadView& view, std::optional<ZeroedArray<std::byte>>& room
+) const {
     const auto cut = [this](std::span<const std::byte> bytes, std::uint64_t offset, std::uint64_t size) {
         if (offset > bytes.size() || size > bytes.size() - offset)
             bad("a bufferView reaches beyond its buffer");
@@ -120,12 +122,10 @@ std::span<const std::byte> SceneFile::view_bytes(const ReadView& view, std::vect
     };
     if (!view.view.packed) return cut(buffer_bytes(view.view.buffer), view.view.offset, view.view.bytes);
     const PackedView& packed = *view.view.packed;
-    std::optional<std::vector<std::byte>> rows =
-        unpack(cut(buffer_bytes(packed.buffer), packed.offset, packed.bytes), packed);
-    if (!rows || rows->size() != view.view.bytes)
+    room = unpack(cut(buffer_bytes(packed.buffer), packed.offset, packed.bytes), packed);
+    if (!room || room->size() != view.view.bytes)
         bad("a packed bufferView does not hold what it says: damaged?");
-    room = std::move(*rows);
-    return room;
+    return room->span();
 }
 
 std::vector<std::byte> SceneFile::packed(int accessor) const {
@@ -138,7 +138,7 @@ std::vector<std::byte> SceneFile::packed(int accessor) const {
     if (array.view < 0 || width == 0 || array.components == 0)
         bad(fmt::format("accessor '{}' is of a kind that scenes do not have", array.name));
     const ReadView& view = document_.views[static_cast<std::size_t>(array.view)];
-    std::vector<std::byte> room;
+    std::optional<ZeroedArray<std::byte>> room;
     std::span<const std::byte> bytes = view_bytes(view, room);
     const std::size_t row = width * array.components;
     const std::uint64_t stride = view.stride == 0 ? row : view.stride;

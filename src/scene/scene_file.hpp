@@ -30,7 +30,8 @@ public:
 private:
     const Input& buffer(int index) const;
     /// Of a bufferView, wherever it lies, unpacked.
-    std::span<const std::byte> view_bytes(const ReadView& view, std::vector<std::byte>& room) const;
+    std::span<const std::byte> view_bytes(const ReadView& view, std::optional<ZeroedArray<std::byte>>& room)
+        const;
     std::span<const std::byte> buffer_bytes(int index) const;
     [[noreturn]] void bad(const std::string& text) const;
 
