@@ -18,7 +18,15 @@ bool columns_of_integers_portable(const char* at, std::size_t width, std::size_t
 /// -9 to 13, each rounded once. False: something else stands in one of them.
 bool three_reals_of_21(const char* at, double* out);
 
-/// Whether the processor has what three_reals_of_21 needs; else it is always false.
+/// `count` columns of 12 to 20 characters as Fortran's G prints reals: at least one blank or a sign, digits
+/// with a point, and then four blanks or an exponent E-02; each rounded once. False: something else stands in
+/// one of them, a number cannot be rounded so, or the processor is another; `out` holds nothing then. Looks
+/// at up to kBeforeReals bytes before the columns, for nothing.
+bool columns_of_reals(const char* at, std::size_t width, std::size_t count, double* out);
+bool columns_of_reals(const char* at, std::size_t width, std::size_t count, float* out);
+inline constexpr std::size_t kBeforeReals = 7;
+
+/// Whether the processor has what three_reals_of_21 and columns_of_reals need; else they are always false.
 bool has_fast_columns();
 
 }  // namespace feelem

@@ -9,9 +9,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace feelem {
@@ -124,6 +126,88 @@ TEST(Columns, three_reals_refuse_what_is_printed_otherwise) {
             row.replace(21 * c, 21, other);
             EXPECT_FALSE(three_reals_of_21(row.data(), out.data())) << row;
         }
+    }
+}
+
+/// A real as Fortran's G prints it in a column: before the point at most `digits` of them, or an exponent.
+std::string general_column(std::mt19937_64& random, std::size_t width) {
+    const std::size_t digits = width - 7;
+    std::string all;
+    for (std::size_t i = 0; i < digits; ++i) all += static_cast<char>('0' + random() % 10);
+    const bool has_exponent = random() % 3 == 0;
+    const std::size_t before = has_exponent ? 0 : random() % (digits + 1);
+    std::string text = (random() % 2 == 0 ? "-" : "") + (before == 0 ? "0" : all.substr(0, before)) + "." +
+                       all.substr(before, digits - before);
+    text += has_exponent ? fmt::format("E{}{:02}", random() % 2 == 0 ? '-' : '+', random() % 12) : "    ";
+    return fmt::format("{:>{}}", text, width);
+}
+
+template <class Real>
+void expect_columns_as_one_by_one(std::size_t width, unsigned seed) {
+    std::mt19937_64 random(seed);
+    int good = 0, refused = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const std::size_t count = 1 + random() % 7;
+        std::string text(kBeforeReals, '7');
+        for (std::size_t c = 0; c < count; ++c) text += general_column(random, width);
+        if (i % 3 == 0) {
+            constexpr std::string_view kOdd = "0123456789.-+E \n*";
+            text[kBeforeReals + random() % (text.size() - kBeforeReals)] = kOdd[random() % kOdd.size()];
+        }
+        const Exact exact(text);
+        std::vector<Real> all(count);
+        const char* columns = exact.bytes.get() + kBeforeReals;
+        if (!columns_of_reals(columns, width, count, all.data())) {
+            ++refused;
+            continue;
+        }
+        ++good;
+        for (std::size_t c = 0; c < count; ++c) {
+            std::string_view column(columns + c * width, width);
+            column.remove_prefix(std::min(column.find_first_not_of(' '), width));
+            column = column.substr(0, column.find(' '));
+            Real wanted = 0;
+            if constexpr (sizeof(Real) == sizeof(float))
+                wanted = parse_float(column).value();
+            else
+                wanted = parse_double(column).value();
+            ASSERT_EQ(std::memcmp(&wanted, &all[c], sizeof(Real)), 0) << column << " in " << text;
+            ASSERT_TRUE(std::string_view(columns + c * width, width).substr(0, 1).find_first_of(" -") == 0);
+        }
+    }
+    if (!has_fast_columns()) return;
+    EXPECT_GT(good, 12'000);
+    EXPECT_GT(refused, 2'000);
+}
+
+TEST(Columns, of_reals_say_what_each_says_alone_or_refuse) {
+    for (const std::size_t width : {12U, 13U, 16U, 19U, 20U}) {
+        expect_columns_as_one_by_one<float>(width, 11);
+        expect_columns_as_one_by_one<double>(width, 12);
+    }
+}
+
+TEST(Columns, of_reals_take_every_form_that_fortran_prints) {
+    if (!has_fast_columns()) GTEST_SKIP() << "the processor reads them one by one";
+    const std::string text = "       -0.12345E-02  0.0000     -123.45      99999.     0.10000E+04";
+    std::array<float, 5> values{};
+    ASSERT_TRUE(columns_of_reals(text.data() + 7, 12, 5, values.data()));
+    EXPECT_EQ(values, (std::array<float, 5>{-0.0012345F, 0.0F, -123.45F, 99999.0F, 1000.0F}));
+    for (const char* odd :
+         {"0.12345E-02 ",
+          "  1.2.3     ",
+          "  12345     ",
+          "    ****    ",
+          "   -.-1     ",
+          "            ",
+          "  1 2.3     ",
+          " 0.12345E-2 ",
+          " 0.12345D-02",
+          " 0.12345-102",
+          "       .    ",
+          " 0.12345E-40"}) {
+        const std::string bad = std::string(7, ' ') + odd;
+        EXPECT_FALSE(columns_of_reals(bad.data() + 7, 12, 1, values.data())) << odd;
     }
 }
 

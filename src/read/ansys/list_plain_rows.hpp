@@ -3,6 +3,8 @@
 // general way.
 #pragma once
 
+#include "base/columns.hpp"
+#include "base/eight_digits.hpp"
 #include "base/plain_real.hpp"
 #include "read/ansys/list_scan.hpp"
 #include "read/ansys/list_text.hpp"
@@ -11,6 +13,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -43,6 +46,10 @@ public:
         at_ = static_cast<std::size_t>(at - text_.data()) + 1;
         return true;
     }
+    /// What is left of the run.
+    std::string_view rest() const { return text_.substr(at_, end_ - at_); }
+    void skip(std::size_t length) { at_ += length; }
+    char line_end() const { return line_end_; }
     /// The line here; moves to the next one.
     Lines line() {
         Lines lines(text_, at_, end_, line_end_);
@@ -128,6 +135,88 @@ private:
 
     bool known_ = false;
     std::vector<std::uint32_t> rooms_, ends_;  ///< From where the first is looked for.
+};
+
+/// Rows as long as one before, with an id and reals of Fortran's G in the same columns and behind them the
+/// same characters: every character is looked at once, none to find where a line or a number ends.
+template <class Real>
+class AlikeRows {
+public:
+    explicit AlikeRows(std::size_t reals) : reals_(reals) {}
+
+    /// The row at the cursor; moves to the next one. False, without moving, when it is not like that.
+    bool read(RowCursor& cursor, std::int64_t& id, std::span<Real> out) {
+        const std::string_view rest = cursor.rest();
+        if (length_ == 0 || rest.size() < length_ || !is_alike(rest.data(), id, out.data())) return false;
+        cursor.skip(length_);
+        misses_ = 0;
+        return true;
+    }
+
+    /// A row with a number in each column, which has been read in another way: those behind it may be like
+    /// it. `row`: from it on to the end of its run.
+    void learn(std::string_view row, char line_end) {
+        ++misses_;
+        if (misses_ > 8 && misses_ % 64 != 0) return;
+        length_ = 0;
+        const std::size_t end = row.find(line_end);
+        if (end == std::string_view::npos || end > kLongest || !find_columns(row.substr(0, end + 1))) return;
+        tail_ = row.substr(first_ + reals_ * width_, end + 1 - first_ - reals_ * width_);
+        std::int64_t id = 0;
+        std::vector<Real> values(reals_);
+        if (tail_.front() != ' ' && tail_.front() != '\r' && tail_.front() != line_end) return;
+        if (is_alike(row.data(), id, values.data())) length_ = end + 1;
+    }
+
+    /// Of a row without its line end, as the general way counts it.
+    std::size_t length() const {
+        const bool has_return = tail_.size() > 1 && tail_[tail_.size() - 2] == '\r';
+        return length_ - (has_return ? 2 : 1);
+    }
+
+private:
+    static constexpr std::size_t kLongest = 1024;
+    static constexpr std::size_t kLeast = 12, kMost = 20;  ///< Of columns_of_reals.
+    static constexpr std::size_t kExponent = 4;            ///< Or four blanks.
+
+    bool is_alike(const char* row, std::int64_t& id, Real* out) const {
+        if (!fast_integer(row, id_end_, id) || id == 0) return false;
+        std::uint64_t foreign = 0;
+        for (std::size_t i = id_end_; i < first_; ++i) foreign |= static_cast<std::uint64_t>(row[i] != ' ');
+        return foreign == 0 && columns_of_reals(row + first_, width_, reals_, out) &&
+               std::memcmp(row + first_ + reals_ * width_, tail_.data(), tail_.size()) == 0;
+    }
+
+    /// Where the id ends, where columns begin and how wide they are. False: not known, or not of one width.
+    bool find_columns(std::string_view line) {
+        std::size_t at = behind_number(line, 0);
+        id_end_ = at;
+        std::size_t before = 0;  // Where the digits of the number before end.
+        width_ = 0;
+        for (std::size_t i = 0; i < reals_; ++i) {
+            at = behind_number(line, at);
+            if (i == 0 && reals_ == 1) width_ = std::min(at + kExponent - std::min(id_end_ + 1, at), kMost);
+            if (i == 1) width_ = at - before;
+            if (i > 1 && at - before != width_) return false;
+            if (i == 0) first_ = at + kExponent;
+            before = at;
+            if (at < line.size() && line[at] == 'E') at = std::min(at + kExponent, line.size());
+        }
+        if (width_ < kLeast || width_ > kMost || first_ < width_ + id_end_ + 1) return false;
+        first_ -= width_;
+        return first_ >= kBeforeReals && first_ + reals_ * width_ < line.size();
+    }
+
+    static std::size_t behind_number(std::string_view line, std::size_t at) {
+        at = std::min(line.find_first_not_of(' ', at), line.size());
+        return std::min(line.find_first_not_of("-.0123456789", at), line.size());
+    }
+
+    std::size_t reals_;
+    std::size_t length_ = 0;  ///< With the line's end; 0: no such row is known.
+    std::size_t id_end_ = 0, first_ = 0, width_ = 0;
+    std::string_view tail_;  ///< Of the row learned, to its end.
+    unsigned misses_ = 0;    ///< Since the last row that was alike.
 };
 
 }  // namespace feelem::ansys

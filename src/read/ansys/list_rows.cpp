@@ -94,17 +94,25 @@ enum class RowKind {
 class ValueParser {
 public:
     explicit ValueParser(const ValueHead& head)
-        : width_(head.column_width), values_(head.columns.size()), columns_(head.columns.size()) {}
+        : width_(head.column_width), values_(head.columns.size()), columns_(head.columns.size()),
+          alike_(head.columns.size()) {}
 
     std::span<const float> values() const { return values_; }
     bool has_bad_value() const { return has_bad_value_; }
 
     /// A row with all its values as solvers print them; false, without moving, when it is not.
     bool parse_plain(RowCursor& cursor, std::int64_t& id, std::size_t& length) {
-        const char* at = cursor.plain_row(values_.size());
         has_bad_value_ = false;
-        return at != nullptr && scan_plain_id(at, cursor.text_end(), id) &&
-               columns_.scan(at, cursor.text_end(), values_) && cursor.finish_row(at, length);
+        if (alike_.read(cursor, id, values_)) {
+            length = alike_.length();
+            return true;
+        }
+        const std::string_view row = cursor.rest();
+        const char* at = cursor.plain_row(values_.size());
+        const bool is_plain = at != nullptr && scan_plain_id(at, cursor.text_end(), id) &&
+                              columns_.scan(at, cursor.text_end(), values_) && cursor.finish_row(at, length);
+        if (is_plain) alike_.learn(row, cursor.line_end());
+        return is_plain;
     }
 
     RowKind parse(std::string_view line, std::int64_t& id) {
@@ -172,6 +180,7 @@ private:
     std::size_t width_;
     std::vector<float> values_;
     PlainColumns<float> columns_;
+    AlikeRows<float> alike_;
     bool has_bad_value_ = false;
 };
 
@@ -223,6 +232,12 @@ public:
     explicit PlainNodeRows(bool has_angles) : columns_(has_angles ? 6 : 3), reals_(has_angles ? 6 : 3) {}
 
     bool read(RowCursor& cursor, NodeRow& row, std::size_t& length) {
+        if (alike_.read(cursor, row.id, row.position)) {
+            length = alike_.length();
+            row.angles = angles_;
+            return true;
+        }
+        const std::string_view rest = cursor.rest();
         const char* at = cursor.plain_row(reals_.size());
         if (at == nullptr || !scan_plain_id(at, cursor.text_end(), row.id) ||
             !columns_.scan(at, cursor.text_end(), reals_))
@@ -233,10 +248,16 @@ public:
             std::copy_n(reals_.begin() + 3, 3, row.angles.begin());
         else
             row.angles = {};
+        alike_.learn(rest, cursor.line_end());
+        angles_ = row.angles;
         return true;
     }
 
 private:
+    static constexpr std::size_t kCoordinates = 3;
+
+    AlikeRows<double> alike_{kCoordinates};
+    NodalAngles angles_{};  ///< Of the row that others are like: theirs are printed alike.
     PlainColumns<double> columns_;
     std::vector<double> reals_;
 };
