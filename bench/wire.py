@@ -4,7 +4,7 @@
 to unpack, on an irregular sheet of two million triangles and on the boiler cut finely; then the files that `feelem convert` writes
 of the boiler, all their arrays counted. Draco and zfp beside them, where they are installed. Writes bench/results/wire.json.
 
-    bench/wire.py [--side 1000] [--bin build/bench/bin]"""
+    bench/wire.py [--side 1000] [--bin build/release/bin]"""
 import argparse
 import json
 import os
@@ -45,7 +45,7 @@ def scenes(bin_folder, feelem):
 def main():
     options = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     options.add_argument("--side", type=int, default=1000, help="quads along each edge of the sheet")
-    options.add_argument("--bin", type=Path, default=HERE.parent / "build/bench/bin")
+    options.add_argument("--bin", type=Path, default=HERE.parent / "build/release/bin")
     options = options.parse_args()
     models = {"irregular sheet": ["sheet", str(options.side)], "boiler, von Mises stress": [BOILER / "boiler.frd"]}
     rows, peers = [], []

@@ -12,6 +12,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import performance_tables
+
 ROOT = Path(__file__).resolve().parent.parent
 PART = re.compile(r"(<!-- generated: (\S+) -->\n).*?(<!-- end -->)", re.S)
 SEVERITIES = {"Error": "error", "Warning": "warning", "Note": "note"}
@@ -50,7 +52,7 @@ def codes(_):
     return "\n".join(rows)
 
 
-MAKERS = {"formats": formats, "commands": commands, "codes": codes}
+MAKERS = {"formats": formats, "commands": commands, "codes": codes, **performance_tables.TABLES}
 
 
 def main():
