@@ -11,6 +11,7 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define FEELEM_AVX2 __attribute__((target("avx2")))
+#define FEELEM_AVX2_INLINE __attribute__((target("avx2"), always_inline)) inline
 #endif
 
 namespace feelem {
@@ -145,7 +146,7 @@ struct Mantissas {
     unsigned digit = 0, point = 0, minus = 0, blank = 0;
 };
 
-FEELEM_AVX2 inline Mantissas look_at_mantissas(__m128i text) {
+FEELEM_AVX2_INLINE Mantissas look_at_mantissas(__m128i text) {
     const auto bits = [](__m128i bytes) __attribute__((target("avx2"))) {
         return static_cast<unsigned>(_mm_movemask_epi8(bytes));
     };
@@ -162,7 +163,7 @@ FEELEM_AVX2 inline Mantissas look_at_mantissas(__m128i text) {
 
 /// Whether the `size` characters from `first` on are anything but blanks, perhaps a minus, and then digits
 /// with a point up to the last.
-inline unsigned is_odd(const Mantissas& all, unsigned first, unsigned size) {
+__attribute__((always_inline)) inline unsigned is_odd(const Mantissas& all, unsigned first, unsigned size) {
     const unsigned mask = (1U << size) - 1;
     const unsigned digit = all.digit >> first & mask, point = all.point >> first & mask;
     const unsigned minus = all.minus >> first & mask, blank = all.blank >> first & mask;
@@ -175,7 +176,7 @@ inline unsigned is_odd(const Mantissas& all, unsigned first, unsigned size) {
            static_cast<unsigned>(digit == 0);
 }
 
-FEELEM_AVX2 inline std::uint64_t two_values(__m128i digits) {
+FEELEM_AVX2_INLINE std::uint64_t two_values(__m128i digits) {
     const __m128i two = _mm_maddubs_epi16(digits, _mm_set1_epi16(0x010A));
     const __m128i four = _mm_madd_epi16(two, _mm_set1_epi32(0x00010064));
     return static_cast<std::uint64_t>(
@@ -184,50 +185,61 @@ FEELEM_AVX2 inline std::uint64_t two_values(__m128i digits) {
 }
 
 /// Four blanks (0) or E-02.
-inline int exponent_of(const char* at, unsigned& odd) {
+__attribute__((always_inline)) inline int exponent_of(const char* at, unsigned& odd) {
     std::uint32_t word = 0;
     std::memcpy(&word, at, sizeof word);
-    const bool none = word == 0x20202020U;
+    const auto some = static_cast<unsigned>(word != 0x20202020U);
     const unsigned sign = word >> 8U & 0xFFU;
     const unsigned tens = (word >> 16U & 0xFFU) - '0', units = (word >> 24U) - '0';
-    const auto wrong = static_cast<unsigned>((word & 0xFFU) != 'E') |
-                       static_cast<unsigned>(sign != '+' && sign != '-') | static_cast<unsigned>(tens > 9) |
-                       static_cast<unsigned>(units > 9);
-    odd |= none ? 0 : wrong;
-    const int written = static_cast<int>(10 * tens + units);
-    return none ? 0 : sign == '-' ? -written : written;
+    odd |= some & (static_cast<unsigned>((word & 0xFFU) != 'E') |
+                   (static_cast<unsigned>(sign != '+') & static_cast<unsigned>(sign != '-')) |
+                   static_cast<unsigned>(tens > 9) | static_cast<unsigned>(units > 9));
+    const auto direction = 1 - 2 * static_cast<int>(sign == '-');  // No branches: exponents come and go.
+    return static_cast<int>(some) * direction * static_cast<int>(10 * tens + units);
 }
+
+/// Powers of ten and behind them the same negative; those above 22 are never used, their place is what an
+/// index is kept within.
+constexpr auto kSignedPowers = [] {
+    std::array<double, 64> all{};
+    for (std::size_t i = 0; i < 32; ++i) {
+        all[i] = i < kPowersOfTen.size() ? kPowersOfTen[i] : 1;
+        all[32 + i] = -all[i];
+    }
+    return all;
+}();
 
 /// Fifteen digits and powers of ten up to 22 are exact in a double: one rounded operation.
-inline double scaled(std::uint64_t digits, bool negative, int exponent, unsigned& odd) {
-    const auto size = static_cast<unsigned>(std::abs(exponent));
-    odd |= static_cast<unsigned>(size >= kPowersOfTen.size());
-    const double power = kPowersOfTen[size % kPowersOfTen.size()];
+__attribute__((always_inline)) inline double scaled(
+    std::uint64_t digits, bool negative, int exponent, unsigned& odd
+) {
+    const int below = exponent >> 31;  // All bits when it is negative: signs come and go, no branches.
+    const auto up = static_cast<unsigned>(exponent & ~below), down = static_cast<unsigned>(-exponent & below);
+    odd |= static_cast<unsigned>(up > 22) | static_cast<unsigned>(down > 22);
     const auto whole = static_cast<double>(static_cast<std::int64_t>(digits));
-    const double value = exponent > 0 ? whole * power : whole / power;
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | (std::uint64_t{negative} << 63U));
+    const std::size_t signed_up = up % 32 + 32 * static_cast<std::size_t>(negative);
+    return whole * kSignedPowers[signed_up] / kSignedPowers[down % 32];  // One of them is 1 or -1.
 }
 
-inline void put(double value, double& out, unsigned&) {
+__attribute__((always_inline)) inline void put(double value, double& out, unsigned&) {
     out = value;
 }
 
 /// As to_float of plain_real.hpp: in the middle between two floats, and out of their usual range, the double
 /// does not tell which is nearest.
-inline void put(double value, float& out, unsigned& odd) {
+__attribute__((always_inline)) inline void put(double value, float& out, unsigned& odd) {
     const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
     const double size = std::abs(value);
     odd |= static_cast<unsigned>((bits & ((std::uint64_t{1} << 29U) - 1)) == std::uint64_t{1} << 28U);
-    odd |= static_cast<unsigned>(
-        size >= static_cast<double>(std::numeric_limits<float>::max()) ||
-        (size < static_cast<double>(std::numeric_limits<float>::min()) && size != 0)
-    );
+    odd |= static_cast<unsigned>(size >= static_cast<double>(std::numeric_limits<float>::max()));
+    odd |= static_cast<unsigned>(size < static_cast<double>(std::numeric_limits<float>::min())) &
+           static_cast<unsigned>(size != 0);
     out = static_cast<float>(value);
 }
 
 /// Two columns of twelve characters.
 template <class Real>
-FEELEM_AVX2 inline void two_reals_of_12(const char* one, const char* two, Real* out, unsigned& odd) {
+FEELEM_AVX2_INLINE void two_reals_of_12(const char* one, const char* two, Real* out, unsigned& odd) {
     const Mantissas all = look_at_mantissas(
         _mm_set_epi64x(static_cast<long long>(load8(two)), static_cast<long long>(load8(one)))
     );
@@ -249,7 +261,7 @@ FEELEM_AVX2 inline void two_reals_of_12(const char* one, const char* two, Real* 
 
 /// A column of thirteen to twenty characters, `keep` 0 where characters before it are looked at.
 template <class Real>
-FEELEM_AVX2 inline void real_of_20(const char* mantissa, __m128i keep, Real& out, unsigned& odd) {
+FEELEM_AVX2_INLINE void real_of_20(const char* mantissa, __m128i keep, Real& out, unsigned& odd) {
     const __m128i text = _mm_loadu_si128(reinterpret_cast<const __m128i*>(mantissa));
     const Mantissas all = look_at_mantissas(_mm_blendv_epi8(_mm_set1_epi8(' '), text, keep));
     odd |= is_odd(all, 0, 16);
@@ -287,6 +299,7 @@ FEELEM_AVX2 bool general_reals(const char* at, std::size_t width, std::size_t co
 }
 
 #undef FEELEM_AVX2
+#undef FEELEM_AVX2_INLINE
 #endif
 
 }  // namespace
