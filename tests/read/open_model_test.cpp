@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which reader gets which file, and what is said of files that nobody can read.
 #include "base/parallel.hpp"
-#include "base/parallel.hpp"
 #include "base/text_encoding.hpp"
 #include "read/include_files.hpp"
 #include "support/paths.hpp"
