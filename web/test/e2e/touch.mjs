@@ -378,12 +378,13 @@ export const touchTests = [
       assert.equal(seen(await page.evaluate(state)), first);
       // Whoever comes to the canvas by Tab is not held there, and Shift leaves it backwards.
       await page.mouse.click(x, y);
+      await until(page, focused, (tag) => tag === "CANVAS", "a press on the model takes the focus");
       await page.keyboard.press("Shift+Tab");
-      assert.notEqual(await page.evaluate(focused), "CANVAS");
+      await until(page, focused, (tag) => tag !== "CANVAS", "backwards out of the model");
       await page.keyboard.press("Tab");
-      assert.equal(await page.evaluate(focused), "CANVAS");
+      await until(page, focused, (tag) => tag === "CANVAS", "into the model again");
       await page.keyboard.press("Tab");
-      assert.notEqual(await page.evaluate(focused), "CANVAS");
+      await until(page, focused, (tag) => tag !== "CANVAS", "and on");
       assert.equal(seen(await page.evaluate(state)), first);
       // In a field Tab is the field's.
       await page.mouse.click(x, y);
