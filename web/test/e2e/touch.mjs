@@ -377,6 +377,9 @@ export const touchTests = [
       assert.notEqual(await page.evaluate(focused), "CANVAS");
       assert.equal(seen(await page.evaluate(state)), first);
       // Whoever comes to the canvas by Tab is not held there, and Shift leaves it backwards.
+      // A card that is going away would take the press.
+      const isBare = ([left, top]) => document.elementFromPoint(left, top)?.tagName === "CANVAS";
+      await page.waitForFunction(isBare, [x, y]);
       await page.mouse.click(x, y);
       await until(page, focused, (tag) => tag === "CANVAS", "a press on the model takes the focus");
       await page.keyboard.press("Shift+Tab");
