@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `feelem probe`: every result at one place, as the page's card shows it.
+#include "bound_text.hpp"
 #include "command.hpp"
 #include "scene_input.hpp"
 
@@ -22,7 +23,7 @@ void print_place(const ProbedPlace& place) {
         const std::string name = value.component == "value" ? value.name : value.name + " " + value.component;
         const std::string number = value.value ? fmt::format("{:.7g}", *value.value) : "no value";
         const std::string node = value.node_value ? fmt::format("{}", *value.node_value) : "no value";
-        const std::string bound = value.bound > 0 ? fmt::format(", within {:.3g}", value.bound) : "";
+        const std::string bound = value.bound > 0 ? ", within " + bound_text(value.bound) : "";
         fmt::print(
             "{:<24} {}{:<14} {:<6} at node {}{}\n",
             name,

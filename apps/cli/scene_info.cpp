@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_info.hpp"
 
+#include "bound_text.hpp"
 #include "scene/scene_file.hpp"
 
 #include <fmt/format.h>
@@ -15,21 +16,21 @@ void print_levels(const Scene& scene) {
     for (std::size_t i = 0; i < scene.levels.size(); ++i) {
         const SceneLevel& level = scene.levels[i];
         fmt::print(
-            "\nLevel {}  {} triangles: values within {:.3g} % of their ranges, surface within {:.3g}\n",
+            "\nLevel {}  {} triangles: values within {} % of their ranges, surface within {}\n",
             i + 1,
             level.triangles,
-            100 * level.bound,
-            level.distance_bound
+            bound_text(100 * level.bound),
+            bound_text(level.distance_bound)
         );
         fmt::print("{:<28} {:<8} {:<14} {}\n", "Result", "Step", "Within", "Found");
         for (const SceneLevelValues& values : level.values) {
             const SceneResult& result = scene.results[values.result];
             const Step& step = scene.steps[result.values[values.values].step];
             fmt::print(
-                "{:<28} {:<8} {:<14.5g} {:.5g}\n",
+                "{:<28} {:<8} {:<14} {:.5g}\n",
                 result.id,
                 fmt::format("{}.{}", step.step, step.substep),
-                values.bound,
+                bound_text(values.bound),
                 std::max(values.max, values.shown)
             );
         }
@@ -60,10 +61,17 @@ void print_scene_info(const std::string& path, bool as_json) {
     }
     for (const SceneResult& result : scene.results) {
         const std::string_view unit = result.unit.empty() ? std::string_view("unit unknown") : result.unit;
+        const std::string bound = result.bound > 0 ? "; within " + bound_text(result.bound) : "";
         fmt::print(
-            "Result   {} ({}; at {} of {} steps)\n", result.id, unit, result.values.size(), scene.steps.size()
+            "Result   {} ({}; at {} of {} steps{})\n",
+            result.id,
+            unit,
+            result.values.size(),
+            scene.steps.size(),
+            bound
         );
     }
+    if (scene.position_bound > 0) fmt::print("Places   within {}\n", bound_text(scene.position_bound));
     if (scene.levels.empty()) fmt::print("Levels   none: the skin is drawn whole\n");
     print_levels(scene);
 }

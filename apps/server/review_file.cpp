@@ -115,9 +115,8 @@ Shell shell_of(const std::string& output) {
     replace_all(script, "</script", "<\\/script");
     const std::string policy = fmt::format(
         "default-src 'none'; script-src {} 'wasm-unsafe-eval'; style-src {}; img-src data: blob:; "
-        "connect-src data: blob:; "
-        "worker-src "
-        "data: blob:; object-src 'none'; base-uri 'none'; form-action 'none'",
+        "connect-src data: blob:; worker-src data: blob:; object-src 'none'; base-uri 'none'; form-action "
+        "'none'",
         policy_hash(script),
         policy_hash(style)
     );

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight digits at a time in one register (Lemire's SWAR digits): what readers of fixed-width columns share.
+// Eight digits at a time in one register (Lemire's SWAR digits), and digits with a power of ten rounded once
+// (Clinger): what fast readers of numbers share.
 #pragma once
 
 #include <array>
@@ -74,5 +75,35 @@ inline bool fast_integer(const char* at, std::size_t width, std::int64_t& out) {
 inline constexpr std::array<double, 23> kPowersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+inline constexpr std::array<std::uint64_t, 9> kWholePowersOfTen{
+    1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
+
+/// How many of the first characters of a word are digits.
+inline unsigned count_digits(std::uint64_t word) {
+    const std::uint64_t digits = word ^ 0x3030303030303030;
+    // A carry out of a character that is no digit reaches only those behind it.
+    const std::uint64_t others = ((digits + 0x7676767676767676) | digits) & 0x8080808080808080;
+    return static_cast<unsigned>(std::countr_zero(others)) / 8;
+}
+
+/// The value of the first `count` characters, which are digits; at most 8.
+inline std::uint64_t value_of_digits(std::uint64_t word, unsigned count) {
+    if (count == 0) return 0;
+    // Zeros before the first digit.
+    const unsigned shift = 64 - 8 * count;
+    return value_of_eight_digits(shift == 0 ? word : (word << shift) | (0x3030303030303030 >> (64 - shift)));
+}
+
+/// digits x 10^exponent in one rounding, where that is exact.
+inline bool scale_exactly(std::uint64_t digits, int exponent, bool negative, double& out) {
+    constexpr std::uint64_t kMostDigits = std::uint64_t{1} << 53;
+    if (digits > kMostDigits || exponent < -22 || exponent > 22) return false;
+    const auto whole = static_cast<double>(digits);
+    const double value = exponent <= 0 ? whole / kPowersOfTen[static_cast<std::size_t>(-exponent)]
+                                       : whole * kPowersOfTen[static_cast<std::size_t>(exponent)];
+    out = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | (std::uint64_t{negative} << 63));
+    return true;
+}
 
 }  // namespace feelem

@@ -5,7 +5,6 @@
 
 #include "base/eight_digits.hpp"
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -13,21 +12,6 @@
 #include <limits>
 
 namespace feelem {
-
-/// How many of eight characters are digits before the first that is none.
-inline unsigned leading_digits(std::uint64_t word) {
-    const std::uint64_t values = word ^ 0x3030303030303030;  // 0 to 9 of digits alone
-    const std::uint64_t others = ((values + 0x7676767676767676) | values) & 0x8080808080808080;
-    return static_cast<unsigned>(std::countr_zero(others)) / 8;
-}
-
-/// The first `count` (1 to 8) of eight characters as a number, when they are digits.
-inline std::uint32_t leading_value(std::uint64_t word, unsigned count) {
-    const unsigned shift = 64 - 8 * count;
-    return value_of_eight_digits(
-        (word << shift) | ((std::uint64_t{0x3030303030303030} >> 4 * count) >> 4 * count)
-    );
-}
 
 /// A position in a text of which kPlainReach characters may be looked at.
 inline constexpr std::ptrdiff_t kPlainReach = 48;
@@ -46,9 +30,9 @@ inline const char* behind_blanks(const char* at, const char* end) {
 /// One to seven digits. Moves behind them; false, without moving, when something else stands there.
 inline bool scan_plain_integer(const char*& at, std::int64_t& out) {
     const std::uint64_t word = load8(at);
-    const unsigned digits = leading_digits(word);
+    const unsigned digits = count_digits(word);
     if (digits == 0 || digits == 8) return false;
-    out = leading_value(word, digits);
+    out = static_cast<std::int64_t>(value_of_digits(word, digits));
     at += digits;
     return true;
 }
@@ -62,26 +46,24 @@ struct PlainReal {
 /// [-]digits.digits[E+-dd[d]] and then a blank or the end of the line, or another number's sign behind the
 /// exponent. Moves behind it; false when something else stands there.
 inline bool scan_plain(const char*& at, PlainReal& out) {
-    constexpr std::array<std::uint32_t, 9> kPowers{
-        1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
     const char* p = at;
     out.negative = *p == '-';
     p += out.negative ? 1 : 0;
     std::uint64_t word = load8(p);
-    const unsigned before = leading_digits(word);
+    const unsigned before = count_digits(word);
     if (before == 8 || p[before] != '.') return false;
-    std::uint64_t digits = before == 0 ? 0 : leading_value(word, before);
+    std::uint64_t digits = value_of_digits(word, before);
     p += before + 1;
     word = load8(p);
-    unsigned behind = leading_digits(word);
+    unsigned behind = count_digits(word);
     if (before + behind == 0) return false;
-    if (behind > 0) digits = digits * kPowers[behind] + leading_value(word, behind);
+    digits = digits * kWholePowersOfTen[behind] + value_of_digits(word, behind);
     p += behind;
     if (behind == 8) {
         word = load8(p);
-        const unsigned more = leading_digits(word);
+        const unsigned more = count_digits(word);
         if (more == 8 || before + more > 11) return false;
-        if (more > 0) digits = digits * kPowers[more] + leading_value(word, more);
+        digits = digits * kWholePowersOfTen[more] + value_of_digits(word, more);
         p += more;
         behind += more;
     }
@@ -108,22 +90,11 @@ inline bool scan_plain(const char*& at, PlainReal& out) {
     return true;
 }
 
-/// Digits and power of ten are exact in a double: one rounded operation (Clinger).
-inline bool to_double(const PlainReal& plain, double& out) {
-    if (plain.digits >> 53U != 0 || plain.exponent < -22 || plain.exponent > 22) return false;
-    const auto digits = static_cast<double>(plain.digits);
-    const double value = plain.exponent <= 0
-                             ? digits / kPowersOfTen[static_cast<std::size_t>(-plain.exponent)]
-                             : digits * kPowersOfTen[static_cast<std::size_t>(plain.exponent)];
-    out = plain.negative ? -value : value;
-    return true;
-}
-
 /// The nearest double rounds to the nearest float unless it lies in the middle between two: no middle can lie
 /// between a number and the double nearest to it.
 inline bool to_float(const PlainReal& plain, float& out) {
     double value = 0;
-    if (!to_double(plain, value)) return false;
+    if (!scale_exactly(plain.digits, plain.exponent, plain.negative, value)) return false;
     constexpr std::uint64_t kBelow = (std::uint64_t{1} << 29U) - 1, kMiddle = std::uint64_t{1} << 28U;
     const double size = std::abs(value);
     const bool usual = size >= static_cast<double>(std::numeric_limits<float>::min()) &&
@@ -138,7 +109,8 @@ inline bool to_float(const PlainReal& plain, float& out) {
 inline bool scan_plain_real(const char*& at, double& out) {
     const char* from = at;
     PlainReal plain;
-    if (scan_plain(at, plain) && to_double(plain, out)) return true;
+    if (scan_plain(at, plain) && scale_exactly(plain.digits, plain.exponent, plain.negative, out))
+        return true;
     at = from;
     return false;
 }

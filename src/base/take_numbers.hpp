@@ -21,25 +21,6 @@ namespace feelem {
 /// So many bytes must be readable from where a number is taken.
 inline constexpr std::ptrdiff_t kNumberRoom = 48;
 
-inline constexpr std::array<std::uint64_t, 9> kWholePowersOfTen{
-    1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
-
-/// How many of the first characters of a word are digits.
-inline unsigned count_digits(std::uint64_t word) {
-    const std::uint64_t digits = word ^ 0x3030303030303030;
-    // A carry out of a character that is no digit reaches only those behind it.
-    const std::uint64_t others = ((digits + 0x7676767676767676) | digits) & 0x8080808080808080;
-    return static_cast<unsigned>(std::countr_zero(others)) / 8;
-}
-
-/// The value of the first `count` characters, which are digits; at most 8.
-inline std::uint64_t value_of_digits(std::uint64_t word, unsigned count) {
-    if (count == 0) return 0;
-    // Zeros before the first digit.
-    const unsigned shift = 64 - 8 * count;
-    return value_of_eight_digits(shift == 0 ? word : (word << shift) | (0x3030303030303030 >> (64 - shift)));
-}
-
 /// Blanks off the front, at most 8.
 inline const char* skip_blanks(const char* at) {
     const std::uint64_t others = load8(at) ^ 0x2020202020202020;
@@ -77,17 +58,6 @@ inline std::uint32_t digits_between(const char* first, const char* last, std::ui
     }
     for (const char* p = first; p < last - 8; ++p) bad |= static_cast<std::uint64_t>(*p ^ ' ');
     return eight_columns(word, bad);
-}
-
-/// digits x 10^exponent in one rounding, where that is exact.
-inline bool scale_exactly(std::uint64_t digits, int exponent, bool negative, double& out) {
-    constexpr std::uint64_t kMostDigits = std::uint64_t{1} << 53;
-    if (digits > kMostDigits || exponent < -22 || exponent > 22) return false;
-    const auto whole = static_cast<double>(digits);
-    const double value = exponent <= 0 ? whole / kPowersOfTen[static_cast<std::size_t>(-exponent)]
-                                       : whole * kPowersOfTen[static_cast<std::size_t>(exponent)];
-    out = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) | (std::uint64_t{negative} << 63));
-    return true;
 }
 
 /// E+05 e-5 D+02 +5 -101 (Fortran's without a letter): moves `at` behind it. Where there is none `out` stays.

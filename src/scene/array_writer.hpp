@@ -28,7 +28,8 @@ struct ArraySpec {
     unsigned components = 1;
     std::uint64_t count = 0;
     int target = 0;
-    bool bounds = true;  ///< min and max in the accessor.
+    bool bounds = true;     ///< min and max in the accessor.
+    bool of_lines = false;  ///< Indices: ends of lines, not corners of triangles.
     /// Floats are rounded to whole multiples of this power of two; 0: written as they are.
     float grid = 0;
     std::optional<gltf::Steps> steps{};  ///< Floats that stand on these steps are stored as their numbers.
@@ -81,11 +82,10 @@ public:
             else
                 put(std::as_bytes(std::span(&number, 1)));
         }
-        const bool of_lines = spec.name.ends_with("edges/indices");
         return end(
             spec,
             spec.target != gltf::kIndexTarget ? Packing::Attributes
-            : of_lines                        ? Packing::Indices
+            : spec.of_lines                   ? Packing::Indices
                                               : Packing::Triangles
         );
     }

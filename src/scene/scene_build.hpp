@@ -62,11 +62,6 @@ struct Box {
     double largest() const;
 };
 
-/// What a normal is rounded to where positions are: a direction is off by 0.2 degrees at most.
-inline constexpr float kNormalGrid = 0x1p-8F;
-/// The same for texture coordinates: the distance that a value at the end of a range keeps from it.
-inline constexpr float kTexcoordGrid = 0x1p-15F;
-
 struct SceneBuild {
     const SceneContents& contents;
     const SceneOptions& options;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene_check_shown.hpp"
 
-#include "scene/scene_build.hpp"
 #include "scene/scene_read.hpp"
 
 #include "feelem/error.hpp"
@@ -27,7 +26,7 @@ struct Shown {
     const SceneDocument& document() const { return file.document(); }
     const SceneResult& result(std::size_t index) const { return document().scene.results[index]; }
 
-    /// Positions and all that is drawn stand on grids: kNormalGrid, kTexcoordGrid, and their own.
+    /// Positions and all that is drawn stand on grids: gltf::kNormalGrid, gltf::kTexcoordGrid, and their own.
     bool is_rounded() const { return document().scene.position_bound > 0; }
 
     void count(const std::string& name, std::size_t vertices, std::size_t wrong, const std::string& first) {
@@ -120,7 +119,7 @@ void check_texcoord(Shown& shown, const TexcoordClaim& claim) {
     if (component < 0 && result.components.size() != 3)
         throw Error(Code::BadScene, shown.file.path(), name + " are of a component that is not there");
     Count count;
-    const double grid = shown.is_rounded() ? static_cast<double>(kTexcoordGrid) : 0;
+    const double grid = shown.is_rounded() ? static_cast<double>(gltf::kTexcoordGrid) : 0;
     for (std::size_t p = 0; p < shown.parts.size(); ++p) {
         const auto field = read_field(shown.file, shown.parts, {claim.result, *values, p});
         const std::string semantic = fmt::format("TEXCOORD_{}", claim.set);
@@ -223,8 +222,8 @@ void check_normals(Shown& shown) {
         }
         for (std::size_t v = 0; v < part.positions.size(); ++v) {
             const double length = std::hypot(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]);
-            const bool unit =
-                std::abs(length - 1) < (shown.is_rounded() ? 2 * static_cast<double>(kNormalGrid) : 1e-5);
+            const bool unit = std::abs(length - 1) <
+                              (shown.is_rounded() ? 2 * static_cast<double>(gltf::kNormalGrid) : 1e-5);
             count.take(unit && (best[v] >= 0 || shown.is_rounded()), part, v);
         }
     }

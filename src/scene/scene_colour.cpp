@@ -102,8 +102,8 @@ double component_value(const SurfaceField& field, std::size_t vertex, int compon
 
 /// Outwards, so that no value changes sides at the ends of the range.
 float on_texcoord_grid(float u) {
-    const float pieces = u / kTexcoordGrid;
-    return (u > 15.0F / 16 ? std::ceil(pieces) : std::floor(pieces)) * kTexcoordGrid;
+    const float pieces = u / gltf::kTexcoordGrid;
+    return (u > 15.0F / 16 ? std::ceil(pieces) : std::floor(pieces)) * gltf::kTexcoordGrid;
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ void write_texcoords(SceneBuild& build, const SurfaceField& field, std::size_t s
         const std::size_t first = part.range->first_vertex;
         const std::string semantic = fmt::format("TEXCOORD_{}", set);
         ArraySpec spec{part.prefix + semantic, 2, part.range->vertex_count, gltf::kAttributeTarget, false};
-        spec.grid = build.grid > 0 ? kTexcoordGrid : 0;
+        spec.grid = build.grid > 0 ? gltf::kTexcoordGrid : 0;
         const int accessor = build.arrays.floats(spec, [&](std::size_t row, float* out) {
             const bool missing = field.validity[first + row] == Validity::Missing;
             const double value = missing ? NAN : component_value(field, first + row, coloured.component);

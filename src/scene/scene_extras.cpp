@@ -215,6 +215,7 @@ std::string extras_text(const SceneBuild& build) {
     for (const double coordinate : build.origin) json.value(coordinate);
     json.end_array();
     // Half a step of the grid, and what rounding to float32 before it may add.
+    if (build.options.compress && build.options.bound > 0) json.member("valueBound", build.options.bound);
     if (build.grid > 0) json.member("positionBound", 0.5 * static_cast<double>(build.grid) * (1 + 1e-6));
     write_parts(json, build);
     write_steps(json, contents);

@@ -160,7 +160,7 @@ void write_vertices(SceneBuild& build, ScenePartBuild& part) {
         for (std::size_t axis = 0; axis < 3; ++axis) out[axis] = shifted(build, first + i, axis);
     }));
     ArraySpec normals{part.prefix + "NORMAL", 3, count, gltf::kAttributeTarget, false};
-    normals.grid = build.grid > 0 ? kNormalGrid : 0;
+    normals.grid = build.grid > 0 ? gltf::kNormalGrid : 0;
     attributes.emplace_back("NORMAL", build.arrays.floats(normals, [&](std::size_t i, float* out) {
         std::ranges::copy(unit_normal(build.contents.surface->normals[first + i]), out);
     }));
@@ -204,7 +204,8 @@ void write_edges(SceneBuild& build, ScenePartBuild& part) {
     write_node_ids(build, prefix, used.size(), mesh.primitive.attributes, [&](std::size_t i) {
         return node_id(build, used[i]);
     });
-    const ArraySpec indices{prefix + "indices", 1, 2 * edges.size(), gltf::kIndexTarget};
+    ArraySpec indices{prefix + "indices", 1, 2 * edges.size(), gltf::kIndexTarget};
+    indices.of_lines = true;
     const auto most = static_cast<std::uint32_t>(used.size());
     mesh.primitive.indices = build.arrays.indices(indices, most, [&](std::size_t i) {
         return place[raw(edges[i / 2][i % 2]) - range.first_vertex];

@@ -19,6 +19,11 @@ struct Steps {
     double number(double value) const { return std::nearbyint((value - offset) / step); }
 };
 
+/// What a normal is rounded to where positions are: a direction is off by 0.2 degrees at most.
+inline constexpr float kNormalGrid = 0x1p-8F;
+/// The same for texture coordinates: the distance that a value at the end of a range keeps from it.
+inline constexpr float kTexcoordGrid = 0x1p-15F;
+
 /// Steps on which no value of the range is moved by more than `bound` of its width, and its ends not at all.
 /// Nothing when that saves nothing: steps hardly wider than float32's own.
 std::optional<Steps> steps_within(const std::array<float, 2>& range, double bound);

@@ -154,7 +154,7 @@ TEST(PlainReal, integers_of_seven_digits_are_read_where_they_stand) {
             if (c >= '0' && c <= '9') continue;
             std::string text(8, '5');
             if (digits < 8) text[digits] = static_cast<char>(c);
-            ASSERT_EQ(leading_digits(load8(text.data())), digits) << c;
+            ASSERT_EQ(count_digits(load8(text.data())), digits) << c;
         }
     }
 }

@@ -4,8 +4,8 @@ import { Vector3 } from "three";
 import { automaticDeformationFactor, type ValueRange } from "../present";
 import { type Cut, Picker } from "../probe";
 import { ModelObject } from "../render";
-import type { SceneData, SceneResult, SceneStep } from "../scene";
-import { numberText, unitText } from "../ui";
+import { boundOf, type SceneData, type SceneResult, type SceneStep } from "../scene";
+import { boundText, unitText } from "../ui";
 import { largestOf, toVectors } from "./displacements";
 import {
   colourEffect,
@@ -24,12 +24,6 @@ const TOLD_BY_LIGHTNESS: ReadonlySet<string> = new Set(["cividis", "cool_warm"])
 const PASSED_BY_MS = 120;
 const scratch = new Vector3();
 
-/** To two digits, never to less: it is a bound. */
-function roundedUp(bound: number): number {
-  if (!(bound > 0)) return 0;
-  const place = 10 ** (Math.floor(Math.log10(bound)) - 1);
-  return Math.ceil(bound / place - 1e-9) * place;
-}
 const SKIN_ONLY =
   "Inside the material: this scene has no volume elements, so no value is here. Open the model file for values.";
 
@@ -311,18 +305,18 @@ export class ModelView {
     const level = this.scene.extras.levels?.[this.model.level - 1];
     if (!level) return "";
     const colour = this.shownAs("colour");
-    const boundOf = (result: SceneResult | null | undefined, step: number): number =>
+    const ofLevel = (result: SceneResult | null | undefined, step: number): number =>
       level.values.find((v) => v.result === result?.id && v.step === step)?.bound ?? Number.NaN;
     const { minus } = colour?.result ?? {};
     const { step } = this.#store.state;
-    const bound = minus
-      ? boundOf(minus.result, step) + boundOf(minus.result, minus.step)
-      : boundOf(colour?.result, step);
+    const drawn = minus
+      ? ofLevel(minus.result, step) + ofLevel(minus.result, minus.step)
+      : ofLevel(colour?.result, step);
+    // What a compressed scene has rounded comes on top.
+    const bound = drawn + (colour?.result ? boundOf(colour.result) : 0);
     const unit = unitText(colour?.unit ?? "");
-    const own = Number.isFinite(bound)
-      ? ` (±${numberText(roundedUp(bound), 2)}${unit ? ` ${unit}` : ""})`
-      : "";
-    return `values within ±${numberText(roundedUp(100 * level.bound), 2)} %${own}`;
+    const own = Number.isFinite(bound) ? ` (±${boundText(bound)}${unit ? ` ${unit}` : ""})` : "";
+    return `values within ±${boundText(100 * (level.bound + (this.scene.extras.valueBound ?? 0)))} %${own}`;
   }
 
   /** Diagonal of the undeformed box, model units. */

@@ -91,6 +91,8 @@ export interface FeelemExtras {
   readonly results: readonly SceneResult[];
   /** From fine to coarse, without the full one. */
   readonly levels?: readonly SceneLevel[];
+  /** Of a compressed scene: the part of a result's range that its values may be off. */
+  readonly valueBound?: number;
   readonly deformation?: { readonly result: string; readonly step?: number; readonly factor: number } | null;
   readonly presentation?: Record<string, unknown>;
   readonly certificate?: Record<string, unknown>;

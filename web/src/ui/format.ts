@@ -68,3 +68,10 @@ export function stepText(step: StepLike): string {
   if (step.kind === "static") return `${name} · ${kind}`;
   return value ? `${name} · ${value}` : `${name} · ${kind}`;
 }
+
+/** A bound to two digits, never to less than it is. */
+export function boundText(bound: number): string {
+  if (!(bound > 0)) return "0";
+  const place = 10 ** (Math.floor(Math.log10(bound)) - 1);
+  return numberText(Math.ceil(bound / place - 1e-9) * place, 2);
+}

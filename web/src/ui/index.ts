@@ -5,7 +5,7 @@ export { CALIBRATION_STEPS, type CalibrationStep, calibrationTemplate } from "./
 export { connectTemplate } from "./connect";
 export { axisOf, type CutActions, type CutDirection, cutListTemplate } from "./cut-list";
 export { deviceTemplate } from "./device-form";
-export { axisTexts, numberText, stepText, unitText, withUnit } from "./format";
+export { axisTexts, boundText, numberText, stepText, unitText, withUnit } from "./format";
 export { type Handle, handlesTemplate } from "./handles";
 export { type HistoryLine, type HistoryModel, historyTemplate } from "./history-plot";
 export { type HotListModel, type HotRow, hotListTemplate } from "./hot-list";
@@ -28,7 +28,6 @@ export { found, matching, type PaletteEntry, paletteTemplate } from "./palette";
 export { type PartListActions, type PartRow, partListTemplate } from "./part-list";
 export { type PlaceChoice, placeMenuTemplate } from "./place-menu";
 export {
-  boundText,
   type CardModel,
   type CardRow,
   cardSentence,

@@ -155,7 +155,8 @@ export function limitWord(shown: Pick<Shown, "limit" | "limitLabel">): string {
   return limitLabel && !limitLabel.startsWith(numberText(limit)) ? limitLabel : "limit";
 }
 
-const LEVEL_HINT = "Fewer triangles are drawn than the model has. What is read, heard and felt is exact.";
+const LEVEL_HINT =
+  "Fewer triangles are drawn than the model has. What is read, heard and felt comes from all of them.";
 
 export function legendTemplate(model: LegendModel | null, actions: Actions): TemplateResult {
   if (!model)

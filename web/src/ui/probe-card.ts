@@ -2,7 +2,7 @@
 // The card under the pointer: every result with number and unit, node and element id.
 import { html, type TemplateResult } from "lit";
 import type { ProbeReport } from "../app/probe-report";
-import { numberText, unitText } from "./format";
+import { boundText, numberText, unitText } from "./format";
 import { type IconName, icon } from "./icons";
 
 export interface CardRow {
@@ -31,19 +31,13 @@ export interface CardModel {
   readonly sounding: string | null;
 }
 
-/** Beside a value of a compressed scene: two digits, never fewer than it may be off. */
-export function boundText(bound: number): string {
-  const unit = 10 ** (Math.floor(Math.log10(bound)) - 1);
-  return `± ${numberText(Math.ceil(bound / unit - 1e-9) * unit, 2)}`;
-}
-
 function rowTemplate(row: CardRow): TemplateResult {
   const about = row.state === "interpolated" ? "~" : "";
   return html`<tr class=${row.alarm ? "alarm" : ""} data-key=${row.key}>
     <th scope="row">${row.senses.map((name) => icon(name))}<span>${row.label}</span></th>
     <td class=${row.value === null ? "none" : "value"}>${row.value === null ? "no value" : `${about}${numberText(row.value)}`}
       <span class="unit">${row.value === null ? "" : unitText(row.unit)}</span>
-      ${row.value === null || !row.bound ? null : html`<span class="bound">${boundText(row.bound)}</span>`}</td>
+      ${row.value === null || !row.bound ? null : html`<span class="bound">± ${boundText(row.bound)}</span>`}</td>
     <td class="at-node">${row.nodeValue === null ? "–" : numberText(row.nodeValue)}</td>
   </tr>
   ${row.utilisation !== null && !row.alarm ? html`<tr class="used-text"><td colspan="3">${numberText(100 * row.utilisation, 3)} % of the limit</td></tr>` : null}
@@ -78,7 +72,7 @@ export function cardSentence(model: CardModel): string {
   const values = model.rows.map((row) =>
     row.value === null
       ? `${row.label}: no value`
-      : `${row.label} ${numberText(row.value)} ${unitText(row.unit)}${row.bound ? ` within ${numberText(row.bound, 2)}` : ""}`,
+      : `${row.label} ${numberText(row.value)} ${unitText(row.unit)}${row.bound ? ` within ${boundText(row.bound)}` : ""}`,
   );
   const inside = model.report.interior ? "interior value, " : "";
   return `${inside}node ${model.report.nodeId ?? "none"}, element ${model.report.elementId ?? "none"}: ${values.join(", ")}`;

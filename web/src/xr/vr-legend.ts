@@ -111,7 +111,7 @@ export function paintVrCard(context: Drawing, model: CardModel): void {
     context.fillText(row.value === null ? "" : unitText(row.unit), 616, y, 130);
     if (row.value !== null && row.bound) {
       font(context, 22);
-      context.fillText(boundText(row.bound), 616, y + 26, 130);
+      context.fillText(`± ${boundText(row.bound)}`, 616, y + 26, 130);
     }
     y += 62;
   }
