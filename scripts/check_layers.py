@@ -20,13 +20,28 @@ MAY_INCLUDE = {
     "convert": ["base", "model", "read", "derive", "skin", "inside", "lod", "pick", "present", "scene", "write"],
     "distribute": ["base", "model", "convert"],
 }
+# Folders of apps/viewer among themselves; main.cpp and the files beside it may include all.
+VIEWER_MAY_INCLUDE = {
+    "core": [],
+    "scene": ["core"],
+    "render": ["core", "scene"],
+    "audio": ["core"],
+    "haptics": ["core"],
+    "xr": ["core", "haptics"],
+    "desktop": ["core", "haptics"],
+    "ui": ["core", "scene"],
+    "record": ["core"],
+}
 PUBLIC_HEADER_OWNER = {
     "error": "base", "diagnostics": "base",
     "ids": "model", "element_type": "model", "mesh": "model", "result": "model", "model": "model", "surface": "model",
     "read": "read", "derive": "derive", "skin": "skin", "inside": "inside", "lod": "lod", "pick": "pick", "write": "write",
     "present": "present", "scene": "scene", "convert": "convert", "probe": "convert", "interior": "convert",
 }
-ONLY_IN = {"mpi.h": "src/distribute", "openxr/": "apps/viewer/xr", "httplib.h": "apps/server", "CLI/": "apps/cli",
+ONLY_IN = {"SDL": ("apps/viewer/desktop", "apps/viewer/audio", "tests/viewer"), "AL/": ("apps/viewer/audio", "tests/viewer"),
+           "epoxy/": ("apps/viewer/render", "apps/viewer/xr", "apps/viewer/desktop", "apps/viewer/ui", "tests/viewer"),
+           "imgui": ("apps/viewer/ui", "apps/viewer/desktop"),
+           "mpi.h": "src/distribute", "openxr/": ("apps/viewer/xr", "tests/viewer"), "httplib.h": "apps/server", "CLI/": "apps/cli",
            "vtk": ("apps/exchange", "bench/peers"), "hdf5.h": "apps/exchange", "netcdf.h": "apps/exchange"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
