@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -149,6 +150,18 @@ gltf::Primitive read_primitive(const json& mesh, std::size_t accessors) {
     return out;
 }
 
+void read_matrix(const json& node, std::array<double, 16>& out) {
+    const auto found = node.find("matrix");
+    if (found == node.end()) return;
+    if (!found->is_array() || found->size() != out.size()) bad("the model's matrix is not sixteen numbers");
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const json& entry = (*found)[i];
+        if (!entry.is_number() || !std::isfinite(entry.get<double>()))
+            bad("the model's matrix is not sixteen numbers");
+        out[i] = entry.get<double>();
+    }
+}
+
 void read_nodes(const json& root, SceneDocument& out, std::size_t parts) {
     const json& meshes = list(root, "meshes");
     std::vector<bool> seen(parts, false);
@@ -157,6 +170,7 @@ void read_nodes(const json& root, SceneDocument& out, std::size_t parts) {
         if (!node.is_object() || !node.contains("extras") || !node["extras"].contains("feelem")) continue;
         const json& extras = node["extras"]["feelem"];
         const std::string role = text(extras, "role");
+        if (role == "model") read_matrix(node, out.model_matrix);
         if (role != "part" && role != "edges") continue;
         const int part = index(extras, "part", parts);
         const int mesh = index(node, "mesh", meshes.size());
@@ -165,6 +179,7 @@ void read_nodes(const json& root, SceneDocument& out, std::size_t parts) {
             read_primitive(meshes[static_cast<std::size_t>(mesh)], out.accessors.size());
         if (role == "edges") {
             out.edges.push_back(std::move(primitive));
+            out.edge_parts.push_back(static_cast<std::size_t>(part));
             continue;
         }
         if (seen[static_cast<std::size_t>(part)]) bad(fmt::format("part {} occurs twice", part));

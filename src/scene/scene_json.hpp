@@ -6,6 +6,8 @@
 
 #include "feelem/scene.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -74,6 +76,9 @@ struct SceneDocument {
     std::vector<gltf::Primitive> parts;   ///< Of role "part", by part id.
     std::vector<std::string> elements;    ///< Accessor per part.
     std::vector<gltf::Primitive> edges;   ///< Of role "edges".
+    std::vector<std::size_t> edge_parts;  ///< Which part each of them belongs to.
+    /// Of the node of role "model", column-major: model units minus origin -> metres, +Y up.
+    std::array<double, 16> model_matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     std::vector<std::uint64_t> vertices;  ///< As extras say, per part.
     std::vector<std::uint64_t> triangles;
     std::vector<std::uint64_t> model_parts;  ///< Which part of the model; solids and shells may share one.

@@ -18,28 +18,6 @@ namespace {
     throw Error(Code::BadScene, file.path(), text);
 }
 
-std::vector<std::int64_t> read_node_ids(
-    const SceneFile& file, const gltf::Primitive& primitive, std::size_t count
-) {
-    const std::vector<float> low = file.floats(attribute_of(file, primitive, "_NODE_ID"), 1);
-    std::vector<float> high(low.size(), 0.0F);
-    const auto is_high = [](const auto& attribute) { return attribute.first == "_NODE_ID_HIGH"; };
-    const auto found = std::ranges::find_if(primitive.attributes, is_high);
-    if (found != primitive.attributes.end()) high = file.floats(found->second, 1);
-    if (low.size() != count || high.size() != count) bad(file, "node ids do not match the vertices");
-    std::vector<std::int64_t> ids;
-    ids.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        constexpr float kModulus = 16777216.0F;
-        const auto is_id = [](float part) {
-            return part >= 0 && part < kModulus && part == std::floor(part);
-        };
-        if (!is_id(low[i]) || !is_id(high[i])) bad(file, fmt::format("vertex {} has no whole node id", i));
-        ids.push_back(static_cast<std::int64_t>(low[i]) + static_cast<std::int64_t>(high[i]) * (1 << 24));
-    }
-    return ids;
-}
-
 void read_part(const SceneFile& file, std::size_t index, ScenePart& part) {
     const gltf::Primitive& primitive = file.document().parts[index];
     const std::vector<float> positions = file.floats(attribute_of(file, primitive, "POSITION"), 3);
@@ -89,6 +67,30 @@ void read_components(
     if (first != width) bad(file, "a result lacks components");
 }
 
+}  // namespace
+
+std::vector<std::int64_t> read_node_ids(
+    const SceneFile& file, const gltf::Primitive& primitive, std::size_t count
+) {
+    const std::vector<float> low = file.floats(attribute_of(file, primitive, "_NODE_ID"), 1);
+    std::vector<float> high(low.size(), 0.0F);
+    const auto is_high = [](const auto& attribute) { return attribute.first == "_NODE_ID_HIGH"; };
+    const auto found = std::ranges::find_if(primitive.attributes, is_high);
+    if (found != primitive.attributes.end()) high = file.floats(found->second, 1);
+    if (low.size() != count || high.size() != count) bad(file, "node ids do not match the vertices");
+    std::vector<std::int64_t> ids;
+    ids.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        constexpr float kModulus = 16777216.0F;
+        const auto is_id = [](float part) {
+            return part >= 0 && part < kModulus && part == std::floor(part);
+        };
+        if (!is_id(low[i]) || !is_id(high[i])) bad(file, fmt::format("vertex {} has no whole node id", i));
+        ids.push_back(static_cast<std::int64_t>(low[i]) + static_cast<std::int64_t>(high[i]) * (1 << 24));
+    }
+    return ids;
+}
+
 Presentation read_presentation(const SceneFile& file) {
     try {
         return parse_presentation(file.document().presentation_json, "presentation");
@@ -98,8 +100,6 @@ Presentation read_presentation(const SceneFile& file) {
         );
     }
 }
-
-}  // namespace
 
 int attribute_of(const SceneFile& file, const gltf::Primitive& primitive, std::string_view semantic) {
     for (const auto& [name, accessor] : primitive.attributes) {
