@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// SCENE | INPUT...: a scene as it is, or one made for this run in a folder of its own.
+// SCENE | INPUT... of a command: what is said while one is made goes to the terminal.
 #pragma once
 
 #include "command.hpp"
+#include "convert/scene_for_viewing.hpp"
 
+#include <optional>
 #include <string>
 
 namespace feelem::cli {
@@ -12,20 +14,14 @@ class SceneInput {
 public:
     /// Converts when the inputs are no scene. Throws what convert() throws.
     explicit SceneInput(const Options& options);
-    ~SceneInput();
-    SceneInput(const SceneInput&) = delete;
-    SceneInput& operator=(const SceneInput&) = delete;
 
     /// Empty when the conversion was cancelled.
     const std::string& path() const noexcept { return path_; }
-    bool is_made() const noexcept { return !folder_.empty(); }
+    bool is_made() const noexcept { return made_.has_value(); }
 
 private:
     std::string path_;
-    std::string folder_;  ///< To be removed; empty when nothing was made.
+    std::optional<SceneForViewing> made_;
 };
-
-/// By content: a binary glTF, or a .gltf of JSON.
-bool is_scene(const std::string& path);
 
 }  // namespace feelem::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SCENE | INPUT...: a scene as it is, or one made for this run in a folder of its own, which goes with it.
+#pragma once
+
+#include "feelem/convert.hpp"
+
+#include <string>
+
+namespace feelem {
+
+class SceneForViewing {
+public:
+    /// Converts when the inputs are no scene; `job.output` means nothing. Throws what convert() throws.
+    SceneForViewing(Job job, Diagnostics& diagnostics, const Progress& progress);
+    ~SceneForViewing();
+    SceneForViewing(const SceneForViewing&) = delete;
+    SceneForViewing& operator=(const SceneForViewing&) = delete;
+
+    /// Empty when the conversion was cancelled.
+    const std::string& path() const noexcept { return path_; }
+    bool is_made() const noexcept { return !folder_.empty(); }
+
+private:
+    std::string path_;
+    std::string folder_;  ///< To be removed; empty when nothing was made.
+};
+
+/// By content: a binary glTF, or a .gltf of JSON.
+bool is_scene(const std::string& path);
+
+}  // namespace feelem
