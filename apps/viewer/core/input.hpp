@@ -31,6 +31,7 @@ struct HandInput {
          upper_button = false;  ///< A and B, X and Y, or what the profile has in their place.
     bool menu = false;
     bool can_vibrate = false;
+    std::optional<float> panel;  ///< Metres along the ray of `aim` to a panel that it meets.
 };
 
 /// The mouse (or a finger) on the window.
