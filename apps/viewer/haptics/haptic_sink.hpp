@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Something that can shake: the motor of a controller or of a gamepad.
+// Something in one hand that can shake: an OpenXR controller, a gamepad, or a list in a test.
 #pragma once
 
 namespace feelem::viewer {
@@ -7,9 +7,16 @@ namespace feelem::viewer {
 class HapticSink {
 public:
     virtual ~HapticSink() = default;
-    /// Amplitude 0..1. Replaces what still runs. False: nothing is felt, and the ear may stand in.
+    /// Shakes once, in place of what still runs. Amplitude 0..1, at most 200 ms. False: nothing is felt, and
+    /// the ear may stand in.
     virtual bool pulse(double amplitude, double milliseconds) = 0;
+    /// Still at once.
     virtual void stop() = 0;
+
+protected:
+    HapticSink() = default;
+    HapticSink(const HapticSink&) = default;
+    HapticSink& operator=(const HapticSink&) = default;
 };
 
 }  // namespace feelem::viewer
