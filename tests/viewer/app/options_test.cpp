@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line of feelem-xr.
-#include "viewer/options.hpp"
+#include "viewer/app/options.hpp"
 
 #include <gmock/gmock.h>
 

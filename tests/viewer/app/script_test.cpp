@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scripts of the desk.
-#include "viewer/script.hpp"
+#include "viewer/app/script.hpp"
 
 #include "feelem/error.hpp"
 

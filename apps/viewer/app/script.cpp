@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "viewer/script.hpp"
+#include "viewer/app/script.hpp"
 
 #include "base/nearest_name.hpp"
 #include "base/number.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "viewer/options.hpp"
+#include "viewer/app/options.hpp"
 
 #include "base/nearest_name.hpp"
 
