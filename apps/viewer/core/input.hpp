@@ -32,6 +32,8 @@ struct HandInput {
     bool menu = false;
     bool can_vibrate = false;
     std::optional<float> panel;  ///< Metres along the ray of `aim` to a panel that it meets.
+    /// Its ray meets a panel so far away, metres: it means that, not the model.
+    std::optional<float> panel_distance{};
 };
 
 /// The mouse (or a finger) on the window.

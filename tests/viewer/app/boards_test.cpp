@@ -22,7 +22,9 @@ std::array<BoardPlace, kBoards> places(bool left_handed = false) {
     snapshot.probed->world = {0, 1, -1.2F};
     return place_boards(Stand{}, kEyeHeight, left_handed, snapshot, look, kEye);
 }
-const BoardPlace& of(const std::array<BoardPlace, kBoards>& all, Board board) { return all[static_cast<std::size_t>(board)]; }
+const BoardPlace& of(const std::array<BoardPlace, kBoards>& all, Board board) {
+    return all[static_cast<std::size_t>(board)];
+}
 
 TEST(Boards, their_fronts_look_at_the_eye) {
     const auto all = places();
