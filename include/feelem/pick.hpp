@@ -19,6 +19,18 @@ struct Hit {
     double distance = 0;              ///< Along the (unit) ray, or from the point.
 };
 
+/// A box of a hierarchy. Leaf: `count` entries of Hierarchy::order from `first` on; inner: count 0, children
+/// at `first` and behind it, both later than their parent.
+struct BoxNode {
+    std::array<float, 3> low{}, high{};
+    std::uint32_t first = 0, count = 0;
+};
+struct Hierarchy {
+    std::vector<std::uint32_t> order;  ///< Triangles.
+    std::vector<BoxNode> nodes;        ///< The root first; empty without triangles.
+};
+Hierarchy grow_hierarchy(std::span<const Vertex3> positions, std::span<const Triangle> triangles);
+
 /// A bounding-volume hierarchy over triangles that are not copied: keep them alive.
 class Picker {
 public:
@@ -29,14 +41,10 @@ public:
     std::optional<Hit> nearest(const std::array<double, 3>& point) const;
 
 private:
-    struct Node {
-        std::array<float, 3> low{}, high{};
-        std::uint32_t first = 0, count = 0;  ///< Leaf: into order_; inner: count 0, first = left child.
-    };
+    std::array<std::array<double, 3>, 3> corners(std::uint32_t triangle) const;
     std::span<const Vertex3> positions_;
     std::span<const Triangle> triangles_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Node> nodes_;
+    Hierarchy tree_;
 };
 
 }  // namespace feelem

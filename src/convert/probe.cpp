@@ -4,6 +4,7 @@
 
 #include "convert/scene_target.hpp"
 #include "convert/selection.hpp"
+#include "pick/place_value.hpp"
 
 #include "feelem/error.hpp"
 #include "feelem/pick.hpp"
@@ -72,20 +73,8 @@ std::vector<Place> nearest_place(const Scene& scene, const ProbeQuery& query) {
     return best ? std::vector{*best} : std::vector<Place>{};
 }
 
-/// The vertex of the corner of largest weight that has a node, or nothing.
-std::optional<std::uint32_t> nearest_vertex(const ScenePart& part, const Place& place) {
-    std::optional<std::uint32_t> best;
-    double most = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t vertex = part.triangles[place.triangle][k];
-        const std::int64_t id = part.node_ids[vertex];
-        if (id == 0) continue;
-        const double weight = place.weights[k];
-        if (best && (weight < most || (weight == most && id >= part.node_ids[*best]))) continue;
-        best = vertex;
-        most = weight;
-    }
-    return best;
+TrianglePlace on_triangle(const ScenePart& part, const Place& place) {
+    return {part.triangles[place.triangle], place.weights};
 }
 
 const SceneField* field_at(const Scene& scene, std::size_t result, std::size_t step, std::size_t part) {
@@ -95,36 +84,7 @@ const SceneField* field_at(const Scene& scene, std::size_t result, std::size_t s
     return nullptr;
 }
 
-void read_value(
-    const ScenePart& part,
-    const Place& place,
-    const SceneField& field,
-    SceneTarget target,
-    std::size_t width,
-    ProbedValue& out
-) {
-    const auto at = [&](std::uint32_t vertex) { return field.values[vertex * width + target.component]; };
-    if (const auto vertex = nearest_vertex(part, place); vertex && !std::isnan(at(*vertex))) {
-        out.node_value = at(*vertex);
-    }
-    double value = 0;
-    out.state = "solver";
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t vertex = part.triangles[place.triangle][k];
-        const double weight = place.weights[k];
-        if (field.validity[vertex] == Validity::Missing) {
-            out.state = "missing";
-            return;
-        }
-        if (weight <= 0) continue;
-        const bool has_node = part.node_ids[vertex] != 0;
-        if (field.validity[vertex] == Validity::Interpolated && has_node) out.state = "interpolated";
-        value += weight * static_cast<double>(at(vertex));
-    }
-    out.value = value;
-}
-
-ProbedValue value_at(
+ProbedValue probed_value(
     const Scene& scene, const Place& place, std::size_t step, SceneTarget target, std::string key
 ) {
     const SceneResult& result = scene.results[target.result];
@@ -136,9 +96,14 @@ ProbedValue value_at(
     value.unit = result.unit;
     value.state = "missing";
     value.bound = result.bound;
-    if (const auto vertex = nearest_vertex(part, place)) value.node_id = part.node_ids[*vertex];
+    const TrianglePlace here = on_triangle(part, place);
+    if (const auto vertex = nearest_vertex(here, part.node_ids)) value.node_id = part.node_ids[*vertex];
     if (const SceneField* field = field_at(scene, target.result, step, place.part)) {
-        read_value(part, place, *field, target, result.components.size(), value);
+        const FieldView view{field->values, field->validity, result.components.size()};
+        const PlaceValue read = value_at(here, part.node_ids, view, target.component);
+        value.value = read.value;
+        value.node_value = read.node_value;
+        value.state = read.state;
     }
     return value;
 }
@@ -177,14 +142,9 @@ ProbedPlace read_place(const Scene& scene, const Place& place, std::size_t step)
     out.part = part.name;
     out.element_id = part.element_ids[place.triangle];
     out.distance = place.distance;
-    out.point = scene.origin;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto& corner = part.positions[part.triangles[place.triangle][k]];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            out.point[axis] += place.weights[k] * static_cast<double>(corner[axis]);
-        }
-    }
-    if (const auto vertex = nearest_vertex(part, place)) out.node_id = part.node_ids[*vertex];
+    const TrianglePlace here = on_triangle(part, place);
+    out.point = point_of(here, part.positions, scene.origin);
+    if (const auto vertex = nearest_vertex(here, part.node_ids)) out.node_id = part.node_ids[*vertex];
 
     std::vector<const SceneResult*> results;
     for (const SceneResult& result : scene.results) results.push_back(&result);
@@ -194,12 +154,12 @@ ProbedPlace read_place(const Scene& scene, const Place& place, std::size_t step)
         const auto target = find_presented(results, shown);
         if (!target) continue;
         done.insert({target->result, target->component});
-        out.results.push_back(value_at(scene, place, step, *target, shown.key));
+        out.results.push_back(probed_value(scene, place, step, *target, shown.key));
     }
     for (std::size_t i = 0; i < results.size(); ++i) {
         for (std::size_t c = 0; c < results[i]->components.size(); ++c) {
             if (done.contains({i, c})) continue;
-            out.results.push_back(value_at(scene, place, step, {i, c}, results[i]->id));
+            out.results.push_back(probed_value(scene, place, step, {i, c}, results[i]->id));
         }
     }
     fill_senses(scene.presentation, out);
