@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace feelem::viewer {
 
@@ -55,35 +56,35 @@ struct Interaction {
     std::array<PointerState, 3> pointers;  ///< By Pointer: Mouse, Left, Right.
     std::array<HandState, kSides> hands;
     std::optional<glm::vec3> ring;    ///< Where one would stand, on the floor.
-    std::optional<Stand> stand;       ///< Of the person in the headset, since home or the last walk.
     std::optional<glm::vec3> inside;  ///< The mouse or a hand points at opened material.
-    bool boards_moved = false;        ///< In this frame the panels' places have changed: see `stand`.
-    bool menu_asked = false;          ///< In this frame: the menu at the wrist is to come or go.
-    glm::mat4 held_placement{1};      ///< Of the model when hands took hold of it.
-    enum class Drag : std::uint8_t {
-        None,
-        Probe,
-        Turn,
-        Pan,
-    } drag = Drag::None;
-    double pressed_at = -1;  ///< Of the mouse: for a double press.
+    bool boards_moved = false;    ///< In this frame the panels' places have changed: see ViewerState::stand.
+    bool menu_asked = false;      ///< In this frame: the menu at the wrist is to come or go.
+    glm::mat4 held_placement{1};  ///< Of the model when hands took hold of it.
+    bool mouse_down = false;
+    std::optional<std::size_t>
+        knob;  ///< Of the plane that is dragged; who drags it: see `holds`, `mouse_knob`.
+    bool mouse_knob = false;
+    float knob_along = 0, knob_offset = 0;  ///< Of the pointer and the plane when the knob was taken.
+    double pressed_at = -1;                 ///< Of the mouse: for a double press.
     double time = 0, stepped_at = 0;
     std::uint64_t clock = 0;
+    std::optional<std::int64_t> chosen;  ///< Node of the place that was pressed last.
     bool was_headset = false;
-    std::size_t cycle = 0;  ///< Hot spot gone to last, counted from 1.
 };
 
-/// Before it: prober.set_look() of the frame before (Viewer's update does it).
+/// Shows the prober what is drawn.
 void interact(
     Interaction& interaction,
     ViewerState& state,
     const ViewedModel& model,
-    const Prober& prober,
+    Prober& prober,
     const FrameInput& input
 );
 
 /// The pointer on the model that counts: a held one first, then the one that moved last. Empty: none is.
 std::optional<Pointer> leading(const Interaction& interaction);
+/// Places of the knobs of the planes that are on, world; of the others empty.
+std::vector<std::optional<glm::vec3>> knobs_of(const ViewerState& state, const ViewedModel& model);
 /// The bar under the model by which it is carried: its two ends, world.
 std::array<glm::vec3, 2> bar_of(const ViewerState& state, const ViewedModel& model, const glm::vec3& eye);
 

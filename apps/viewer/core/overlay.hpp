@@ -5,6 +5,7 @@
 #include "viewer/core/interaction.hpp"
 #include "viewer/core/snapshot.hpp"
 
+#include <span>
 #include <vector>
 
 namespace feelem::viewer {
@@ -20,6 +21,7 @@ Overlay make_overlay(
     const Prober& prober,
     const Interaction& interaction,
     const Snapshot& snapshot,
+    std::span<const HotSpot> spots,
     const FrameInput& input
 );
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Core for one scene, and the calls of a frame, in this order: update, look, snapshot, overlay.
 //
-//     input = device.poll();             // the desk: head = pose_of(viewer.state.camera)
+//     input = device.poll();
 //     update(viewer, input);
 //     const Look look = look_of(viewer, input);
 //     const Snapshot snapshot = snapshot_of(viewer, input);
@@ -29,12 +29,17 @@ struct Viewer {
     Prober prober;
     Interaction interaction;
     SnapshotMaker snapshots;
+    HotSpotList spots;
 };
 
 void update(Viewer& viewer, const FrameInput& input);
+/// As update() runs those of its input: for panels.
+void run(Viewer& viewer, Command command);
+/// Where a press of the mouse would take something: the model, or the knob of a plane. World.
+std::optional<glm::vec3> pressable(const Viewer& viewer, const Ray& ray);
 Look look_of(const Viewer& viewer, const FrameInput& input);
 /// Once a frame: events are said once.
 Snapshot snapshot_of(Viewer& viewer, const FrameInput& input);
-Overlay overlay_of(const Viewer& viewer, const Snapshot& snapshot, const FrameInput& input);
+Overlay overlay_of(Viewer& viewer, const Snapshot& snapshot, const FrameInput& input);
 
 }  // namespace feelem::viewer

@@ -3,7 +3,6 @@
 // and hands call alike.
 #pragma once
 
-#include "viewer/core/desk_camera.hpp"
 #include "viewer/core/input.hpp"
 #include "viewer/core/look.hpp"
 #include "viewer/core/model_source.hpp"
@@ -57,7 +56,8 @@ struct HotOptions {
     double share = 0.05;          ///< Of the diagonal: nearer ones count as the same place.
     bool by_utilisation = false;  ///< By how much of their limit they use, over all results that have one.
     bool largest = true;
-    bool shown = false;  ///< Their numbers stand on the model.
+    bool shown = false;             ///< Their numbers stand on the model.
+    std::optional<std::size_t> at;  ///< The one that was gone to last.
 };
 
 struct HotSpot {
@@ -67,6 +67,18 @@ struct HotSpot {
     std::string key;  ///< Of the presented result.
     double value = 0;
     std::optional<double> utilisation;  ///< Share of the limit that is used.
+};
+
+/// Where the person stands and looks, level with the floor.
+struct Stand {
+    glm::vec3 position{0};
+    float yaw = 0;
+};
+
+/// What the desk's camera is to look at, and from how far: metres of the world.
+struct LookAt {
+    glm::vec3 place{0};
+    float distance = 1;
 };
 
 struct ViewerState {
@@ -87,11 +99,13 @@ struct ViewerState {
     HotOptions hot;
     std::vector<Marker> markers;
     std::optional<std::int64_t> pin;  ///< The node that was gone to.
-    bool sound = true;                ///< False: muted.
-    bool touch = true;                ///< False: still, no vibration.
+    std::optional<LookAt> look_at;  ///< A wish: the desk's camera goes there, and who has it takes this away.
+    bool sound = true;              ///< False: muted.
+    bool touch = true;              ///< False: still, no vibration.
     Person person;
     glm::mat4 placement{1};  ///< Metres of the model -> metres of the world.
-    DeskCamera camera;
+    /// Where the person stands; empty: the next frame of a headset lays the room out before them.
+    std::optional<Stand> stand;
     std::uint64_t most_triangles = UINT64_MAX;  ///< What is drawn in time, as the renderer finds it.
     std::string notice;                         ///< What happened last, for people.
     bool leaves = false;                        ///< The person wants to leave.
@@ -99,7 +113,12 @@ struct ViewerState {
 };
 
 ViewerState first_state(const ViewedModel& model);
-void run(ViewerState& state, const ViewedModel& model, Command command, bool is_headset);
+/// What a command needs to know beside the state.
+struct Circumstances {
+    bool is_headset = false;
+    std::optional<std::int64_t> node;  ///< That is pointed at, or was pressed last.
+};
+void run(ViewerState& state, const ViewedModel& model, Command command, const Circumstances& now);
 
 // Results and senses.
 
@@ -153,10 +172,20 @@ void flip_cut(ViewerState& state, std::size_t cut);
 void move_cut(ViewerState& state, const ViewedModel& model, std::size_t cut, double share);
 /// Planes in force.
 std::vector<CutPlane> cuts_of(const ViewerState& state);
-bool is_cut_away(const std::vector<CutPlane>& cuts, const std::array<float, 3>& place);
 
-/// Peaks of the visible skin, the most extreme first.
+/// Peaks of the visible skin, the most extreme first. Looks at every vertex: see HotSpotList.
 std::vector<HotSpot> hot_spots(const ViewerState& state, const ViewedModel& model);
+/// The same, found anew only when what they depend on is another.
+class HotSpotList {
+public:
+    const std::vector<HotSpot>& of(const ViewerState& state, const ViewedModel& model);
+
+private:
+    std::string key_;
+    std::vector<HotSpot> found_;
+};
+/// Forward or back through the hot spots: pins the node.
+void next_hot_spot(ViewerState& state, const ViewedModel& model, int by);
 /// A note at a node; says why not in the notice.
 void place_marker(ViewerState& state, std::optional<std::int64_t> node);
 void remove_marker(ViewerState& state, int id);
@@ -172,11 +201,6 @@ inline constexpr std::uint64_t kHeadsetTriangles = 500'000;
 
 /// Metres.
 inline constexpr float kTableSize = 0.8F, kTableDistance = 1.2F, kTableHeight = 1.0F;
-/// Where the person stands and looks, level with the floor.
-struct Stand {
-    glm::vec3 position{0};
-    float yaw = 0;
-};
 Stand stand_of(const Pose& head);
 /// A place before the person: metres to the right, above the floor, ahead.
 glm::vec3 place_before(const Stand& stand, float right, float height, float ahead);
