@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/app/run.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/input.hpp"
+#include "convert/scene_for_viewing.hpp"
+#include "viewer/app/desk_screen.hpp"
+#include "viewer/app/headset_screen.hpp"
+#include "viewer/app/scripted_events.hpp"
+
+#include "feelem/error.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+namespace feelem::viewer {
+namespace {
+
+/// Of scripts, whose frames take the same time on any machine.
+constexpr double kScriptedFrame = 1.0 / 60;
+constexpr int kLongestWaitFrames = 20'000;
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void write_picture(const std::string& path, const Pixels& pixels) {
+    AtomicFile file(path);
+    file.write(png_of(pixels));
+    file.commit();
+}
+
+bool has_display() {
+    return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+}
+
+/// A picture needs no window, and neither does a headset or a script where there is no screen.
+bool wants_window(const Options& options) {
+    if (!options.screenshot.empty()) return false;
+    return has_display() || (options.headset != UseHeadset::Require && options.script.empty());
+}
+
+class Session {
+public:
+    Session(const Options& options, const std::string& scene)
+        : options_(options), desk_(options, wants_window(options)), stage_(scene, sound_of(options, desk_)) {
+        stage_.devices().theme = options.dark ? Theme::Dark : Theme::Light;
+        stage_.viewer().state.sound = !options.mute;
+        if (options.headset != UseHeadset::Off && options.screenshot.empty())
+            headset_.emplace(XrOptions{"feelem-xr", options.headset == UseHeadset::Require});
+        if (!options.script.empty()) {
+            const Input script = Input::from_file(options.script);
+            script_.emplace(parse_script(script.text(), options.script));
+        }
+    }
+
+    int run();
+
+private:
+    static SoundOutputOptions sound_of(const Options& options, const DeskScreen& desk) {
+        const bool is_heard = desk.has_window() && options.script.empty();
+        return {is_heard ? SoundDevice::Standard : SoundDevice::None, !options.record.empty()};
+    }
+    double time() const { return script_ ? static_cast<double>(frames_) * kScriptedFrame : now() - began_; }
+    bool is_over(const DeskFrame& desk) const;
+    bool frame();
+    int take_picture();
+
+    Options options_;
+    DeskScreen desk_;
+    Stage stage_;
+    std::optional<HeadsetScreen> headset_;
+    std::optional<ScriptPlayer> script_;
+    ScriptedHand scripted_;
+    std::uint64_t frames_ = 0;
+    double began_ = now();
+};
+
+bool Session::is_over(const DeskFrame& desk) const {
+    if (desk.close_wanted || stage_.viewer().state.leaves) return true;
+    return options_.seconds && time() >= *options_.seconds;
+}
+
+bool Session::frame() {
+    ScriptedFrame scripted;
+    const double at = time();
+    if (script_ && stage_.is_ready()) scripted = scripted_.frame(script_->due(at), desk_.pixels());
+    const DeskFrame desk = desk_.poll(stage_, at, scripted.events);
+    bool in_headset = false;
+    if (headset_) {
+        headset_->poll(stage_, at);
+        if (desk_.wants_headset_again()) headset_->ask_again();
+        in_headset = headset_->frame(stage_, at, desk.input.commands);
+    }
+    if (!in_headset) stage_.step(desk.input);
+    const bool headset_shows = headset_ && headset_->is_shown();
+    desk_.draw(stage_, headset_shows);
+    for (const std::string& path : scripted.screenshots) write_picture(path, desk_.picture());
+    desk_.show(in_headset);
+    if (!script_ || stage_.is_ready()) ++frames_;
+    return !scripted.quits && !is_over(desk);
+}
+
+int Session::take_picture() {
+    for (int i = 0; i < kLongestWaitFrames && !stage_.is_ready(); ++i) frame();
+    frame();
+    write_picture(options_.screenshot, desk_.picture());
+    return 0;
+}
+
+int Session::run() {
+    if (!options_.screenshot.empty()) return take_picture();
+    while (frame()) {}
+    return 0;
+}
+
+}  // namespace
+
+int run(const Options& options) {
+    Job job;
+    job.inputs = options.inputs;
+    job.presentation_file = options.presentation;
+    Diagnostics diagnostics;
+    const SceneForViewing scene(job, diagnostics, {});
+    for (const Diagnostic& entry : diagnostics.entries()) fmt::print(stderr, "note: {}\n", entry.text);
+    return Session(options, scene.path()).run();
+}
+
+}  // namespace feelem::viewer

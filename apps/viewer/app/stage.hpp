@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the window and the headset have in common: one scene, one state, one snapshot a frame, and what is
+// played of it.
+#pragma once
+
+#include "viewer/app/panel_model.hpp"
+#include "viewer/app/sense_outputs.hpp"
+#include "viewer/render/renderer.hpp"
+#include "viewer/scene/loaded_scene.hpp"
+
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace feelem::viewer {
+
+/// Behind the model.
+Rgb background_of(Theme theme);
+
+/// A frame as it was: what is drawn, said, and recorded of it.
+struct Frame {
+    FrameInput input;
+    Look look;
+    Snapshot snapshot;
+    Overlay overlay;
+    std::vector<SentPulse> pulses;
+};
+
+/// Needs a current OpenGL context from the first to the last.
+class Stage {
+public:
+    Stage(const std::string& scene_path, const SoundOutputOptions& sound);
+    ~Stage();
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    /// The state goes on, the senses play.
+    const Frame& step(const FrameInput& input);
+    const Frame& frame() const noexcept { return frame_; }
+    /// Draws the last frame for one eye or two.
+    void draw(std::span<const Camera> eyes, glm::ivec2 pixels, std::span<const Panel> panels = {});
+
+    Viewer& viewer() noexcept { return viewer_; }
+    const Viewer& viewer() const noexcept { return viewer_; }
+    Renderer& renderer() noexcept { return renderer_; }
+    SenseOutputs& senses() noexcept { return senses_; }
+    DeviceWords& devices() noexcept { return devices_; }
+    UiModel panels() const { return panel_model(viewer_, frame_.look, frame_.snapshot, devices_); }
+    /// Rays meet the model: until then it is drawn, but nothing is read.
+    bool is_ready() const { return viewer_.prober.is_ready() && renderer_.is_complete(); }
+
+private:
+    LoadedScene scene_;
+    Viewer viewer_;
+    Renderer renderer_;
+    SenseOutputs senses_;
+    DeviceWords devices_;
+    Frame frame_;
+    std::jthread growing_;  ///< Makes the hierarchies for rays while the first pictures are drawn.
+};
+
+}  // namespace feelem::viewer
