@@ -15,7 +15,7 @@ public:
     /// Who shakes in that hand; null: nobody. Not owned. A gamepad's sink may be set for either hand, or
     /// both.
     void set_sink(Side side, HapticSink* sink);
-    /// The sink of that hand refused a pulse and was let go: say it once and let ticks stand in.
+    /// The last pulse of that hand could not be felt: say it once; the ear stands in.
     bool was_refused(Side side) const;
     /// The person's own strength, 0..1.5.
     void set_strength(double strength);

@@ -133,11 +133,8 @@ std::optional<SentPulse> Pulser::send(
     busy_until_ = now + std::max(kShortestGap, milliseconds / 1000 / kLargestDuty);
     const double felt = std::min(strength * strength_, 1.0);
     if (!sink_ || !(felt > 0)) return std::nullopt;
-    if (!sink_->pulse(felt, milliseconds)) {
-        sink_ = nullptr;
-        was_refused_ = true;
-        return std::nullopt;
-    }
+    was_refused_ = !sink_->pulse(felt, milliseconds);
+    if (was_refused_) return std::nullopt;
     return SentPulse{now, Side::Right, felt, milliseconds, event};
 }
 

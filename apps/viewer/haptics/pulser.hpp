@@ -25,7 +25,7 @@ public:
     /// Who shakes; null: nobody. Not owned.
     void set_sink(HapticSink* sink);
     bool has_sink() const { return sink_ != nullptr; }
-    /// The sink that refused a pulse was let go; until another is set.
+    /// Of the last pulse: the sink could not be felt.
     bool was_refused() const { return was_refused_; }
     /// The person's own strength, 0..1.5.
     void set_strength(double strength);
