@@ -4,6 +4,7 @@
 
 #include "viewer/core/space.hpp"
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 
 #include <numbers>
@@ -21,7 +22,7 @@ struct DeskCamera {
     float yaw = std::numbers::pi_v<float> / 5, pitch = 0.42F;  ///< Radians, about +Y and up from the floor.
     float distance = 1;
     float radius = 1;                                           ///< Of what was fitted last; limits the zoom.
-    float height_angle = 40 * std::numbers::pi_v<float> / 180;  ///< Of the view, radians.
+    float height_angle = 30 * std::numbers::pi_v<float> / 180;  ///< Of the view, radians.
     std::optional<WorldBox> fitted;                             ///< While nobody has moved the camera since.
 };
 
@@ -49,6 +50,15 @@ void fit(DeskCamera& camera, const WorldBox& box, float aspect);
 void go_home(DeskCamera& camera, const WorldBox& box, float aspect);
 /// From this direction (world axes, any length), the target stays.
 void look_from(DeskCamera& camera, const glm::vec3& direction);
+/// The whole box, from a direction of the model's axes. (1, 1, 1): at an angle from above; (0, 0, 0): the
+/// first one.
+void view_from(
+    DeskCamera& camera,
+    const glm::vec3& direction,
+    const glm::mat3& to_world,
+    const WorldBox& box,
+    float aspect
+);
 void go_to(DeskCamera& camera, const glm::vec3& point, float distance);
 /// The window has another shape: what filled it fills it again.
 void reshaped(DeskCamera& camera, float aspect);
