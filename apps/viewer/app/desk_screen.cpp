@@ -47,6 +47,7 @@ DeskScreen::DeskScreen(const Options& options, bool has_window) : size_(options.
         wanted.height = options.size[1];
         wanted.samples = 0;  // The renderer and the panels smooth their own edges.
         window_ = std::make_unique<Window>(wanted);
+        motors_.emplace(*window_);
     } else {
         context_ = std::make_unique<GlContext>();
     }
@@ -127,6 +128,12 @@ void DeskScreen::draw(Stage& stage, bool headset_shows) {
     picture_.bind();
     const UiWishes wishes = gui_->draw(stage.panels(), panel_input_, picture_.pixels());
     grant(wishes, stage.viewer(), stage.devices(), headset_shows, wishes_);
+}
+
+void DeskScreen::lend_motors(SenseOutputs& senses) {
+    const bool is_there = motors_ && window_->pad().can_rumble;
+    senses.set_sink(Side::Left, nullptr);
+    senses.set_sink(Side::Right, is_there ? &*motors_ : nullptr);
 }
 
 void DeskScreen::show(bool headset_gives_beat) {

@@ -6,6 +6,7 @@
 #include "viewer/app/stage.hpp"
 #include "viewer/app/wishes.hpp"
 #include "viewer/desktop/desk_input.hpp"
+#include "viewer/desktop/pad_haptics.hpp"
 #include "viewer/desktop/window.hpp"
 #include "viewer/render/composed_picture.hpp"
 #include "viewer/render/gl_context.hpp"
@@ -35,6 +36,8 @@ public:
     void draw(Stage& stage, bool headset_shows);
     /// To the window; waits for the screen's beat unless a headset gives it.
     void show(bool headset_gives_beat);
+    /// A gamepad's motors, for who has no controller in the hand.
+    void lend_motors(SenseOutputs& senses);
     Pixels picture() const { return picture_.read(); }
 
     glm::ivec2 pixels() const;
@@ -47,6 +50,7 @@ private:
     void look_where_wished(Stage& stage);
 
     std::unique_ptr<Window> window_;
+    std::optional<PadHaptics> motors_;
     std::unique_ptr<GlContext> context_;  ///< Where there is no window.
     glm::ivec2 size_{1280, 800};
     ComposedPicture picture_;

@@ -96,7 +96,10 @@ bool Session::frame() {
         if (desk_.wants_headset_again()) headset_->ask_again();
         in_headset = headset_->frame(stage_, at, desk.input.commands);
     }
-    if (!in_headset) stage_.step(desk.input);
+    if (!in_headset) {
+        desk_.lend_motors(stage_.senses());
+        stage_.step(desk.input);
+    }
     const bool headset_shows = headset_ && headset_->is_shown();
     desk_.draw(stage_, headset_shows);
     for (const std::string& path : scripted.screenshots) write_picture(path, desk_.picture());
