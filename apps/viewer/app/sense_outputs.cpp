@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/app/sense_outputs.hpp"
 
+#include <utility>
+
 namespace feelem::viewer {
 
 std::vector<SentPulse> SenseOutputs::play(
@@ -15,6 +17,10 @@ std::vector<SentPulse> SenseOutputs::play(
     if (is_focused && state.touch) return haptics_.update(snapshot);
     haptics_.stop();
     return {};
+}
+
+void SenseOutputs::set_sink(Side side, HapticSink* sink) {
+    if (std::exchange(sinks_[static_cast<std::size_t>(side)], sink) != sink) haptics_.set_sink(side, sink);
 }
 
 void SenseOutputs::stop() {

@@ -6,6 +6,7 @@
 #include "viewer/core/viewer_state.hpp"
 #include "viewer/haptics/haptics.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ public:
     explicit SenseOutputs(const SoundOutputOptions& sound) : output_(engine_, sound) {}
 
     /// Who shakes in a hand; null: nobody.
-    void set_sink(Side side, HapticSink* sink) { haptics_.set_sink(side, sink); }
+    void set_sink(Side side, HapticSink* sink);
     /// Once a frame; gives the pulses that were sent.
     std::vector<SentPulse> play(const Snapshot& snapshot, const ViewerState& state, bool is_focused);
     /// Silence and stillness: the program ends, or the scene goes.
@@ -31,6 +32,8 @@ private:
     AudioEngine engine_;
     AudioOutput output_;
     Haptics haptics_;
+    std::array<HapticSink*, kSides>
+        sinks_{};  ///< One that refused is not asked again until another one comes.
 };
 
 }  // namespace feelem::viewer
