@@ -31,6 +31,7 @@ VIEWER_MAY_INCLUDE = {
     "desktop": ["core", "haptics"],
     "ui": ["core", "scene"],
     "record": ["core"],
+    "doctor": ["xr"],
 }
 PUBLIC_HEADER_OWNER = {
     "error": "base", "diagnostics": "base",
