@@ -6,6 +6,7 @@
 #include "convert/scene_for_viewing.hpp"
 #include "viewer/app/desk_screen.hpp"
 #include "viewer/app/headset_screen.hpp"
+#include "viewer/app/run_doctor.hpp"
 #include "viewer/app/scripted_events.hpp"
 
 #include "feelem/error.hpp"
@@ -124,6 +125,7 @@ int Session::run() {
 }  // namespace
 
 int run(const Options& options) {
+    if (options.is_doctor) return run_doctor();
     Job job;
     job.inputs = options.inputs;
     job.presentation_file = options.presentation;
