@@ -49,6 +49,17 @@ Finding software_graphics(const Machine& machine, const std::string& what) {
     );
 }
 
+/// Where its full stop is; one in brackets is somebody else's.
+std::size_t end_of_sentence(std::string_view text) {
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '(') ++depth;
+        if (text[i] == ')') --depth;
+        if (text[i] == '.' && depth == 0 && (i + 1 == text.size() || text[i + 1] == ' ')) return i;
+    }
+    return text.size();
+}
+
 void add(std::string& list, const std::string& item) {
     list += (list.empty() ? "" : ", ") + item;
 }
@@ -107,8 +118,11 @@ Finding examine_screen(const Machine& machine, const TriedGraphics& tried) {
                                                           : "Start it at the machine itself, not over ssh."
         );
     }
-    if (!tried.screen_trouble.empty())
-        return missing("screen", tried.screen_trouble, "Start it in a desktop session of your own.");
+    if (!tried.screen_trouble.empty()) {
+        const std::size_t end = end_of_sentence(tried.screen_trouble);
+        const std::size_t next = std::min(end + 2, tried.screen_trouble.size());
+        return missing("screen", tried.screen_trouble.substr(0, end), tried.screen_trouble.substr(next));
+    }
     return well("screen", wayland.empty() ? x11 : wayland);
 }
 

@@ -16,7 +16,7 @@ struct TriedGraphics {
     std::string version,
         renderer;                ///< As OpenGL says them: "4.5 (Core Profile) Mesa 22.3.6", "llvmpipe (...)".
     std::string trouble;         ///< Why there is no OpenGL 4.5; a sentence without its full stop.
-    std::string screen_trouble;  ///< Why there is no window; the same.
+    std::string screen_trouble;  ///< Why there is no window, and in further sentences what to do.
 };
 
 enum class Health {

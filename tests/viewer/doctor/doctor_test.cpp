@@ -293,6 +293,16 @@ TEST_F(Doctor, tells_a_session_without_a_screen_and_one_over_ssh) {
     EXPECT_TRUE(verdict().headset);
 }
 
+TEST_F(Doctor, passes_on_why_a_screen_cannot_be_used) {
+    graphics.screen_trouble =
+        "no screen to open a window on (x11. not available). Start it elsewhere, or not at all.";
+    EXPECT_EQ(line("screen"), "no    no screen to open a window on (x11. not available)");
+    EXPECT_EQ(to_do(), "To do first (screen): Start it elsewhere, or not at all.\n");
+    graphics.screen_trouble = "it is broken";
+    EXPECT_EQ(line("screen"), "no    it is broken");
+    EXPECT_EQ(to_do(), "");
+}
+
 TEST_F(Doctor, misses_sound_without_card_and_server) {
     remove("/run/user/1000/pipewire-0");
     put("/proc/asound/cards", "--- no soundcards ---\n");
