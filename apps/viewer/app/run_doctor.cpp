@@ -4,6 +4,7 @@
 #include "viewer/desktop/window.hpp"
 #include "viewer/doctor/doctor.hpp"
 #include "viewer/render/gl_context.hpp"
+#include "viewer/render/gl_words.hpp"
 
 #include "feelem/error.hpp"
 
@@ -30,8 +31,8 @@ std::string first_sentence(const std::string& text) {
 std::unique_ptr<GlContext> try_graphics(TriedGraphics& tried) {
     try {
         auto context = std::make_unique<GlContext>();
-        tried.version = context->version();
-        tried.renderer = context->renderer();
+        tried.version = gl_version();
+        tried.renderer = gl_renderer();
         return context;
     } catch (const Error& error) {
         tried.trouble = first_sentence(error.what());
@@ -45,7 +46,7 @@ void try_window(TriedGraphics& tried) {
         options.hidden = true;
         const Window window(options);
     } catch (const NoWindow& error) {
-        tried.screen_trouble = first_sentence(error.what());
+        tried.screen_trouble = error.what();
     }
 }
 

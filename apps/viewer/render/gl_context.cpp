@@ -61,11 +61,6 @@ void GlContext::make_current() const {
         no_context("making OpenGL current");
 }
 
-std::string GlContext::version() const {
-    const GLubyte* name = glGetString(GL_VERSION);
-    return name ? reinterpret_cast<const char*>(name) : "";
-}
-
 std::string GlContext::renderer() const {
     const GLubyte* name = glGetString(GL_RENDERER);
     return name ? reinterpret_cast<const char*>(name) : "";

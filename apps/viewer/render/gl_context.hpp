@@ -17,7 +17,6 @@ public:
     GlContext& operator=(const GlContext&) = delete;
 
     void make_current() const;
-    std::string version() const;   ///< "4.5 (Core Profile) Mesa 22.3.6"
     std::string renderer() const;  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
 
 private:
