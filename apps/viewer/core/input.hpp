@@ -31,7 +31,6 @@ struct HandInput {
          upper_button = false;  ///< A and B, X and Y, or what the profile has in their place.
     bool menu = false;
     bool can_vibrate = false;
-    std::optional<float> panel;  ///< Metres along the ray of `aim` to a panel that it meets.
     /// Its ray meets a panel so far away, metres: it means that, not the model.
     std::optional<float> panel_distance{};
 };

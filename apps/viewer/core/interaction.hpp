@@ -19,60 +19,70 @@ inline constexpr float kTouchReach = 0.03F;
 inline constexpr double kGhostSeconds = 0.5;
 inline constexpr float kTurnDegrees = 30;
 
-/// One way to point: the mouse or a hand.
+inline constexpr std::size_t kPointers = 4;
+/// One way to point: the mouse, a hand, or the pin.
 struct PointerState {
     std::optional<SkinHit> hit;
     bool is_held = false;  ///< Hear and feel is asked for.
     bool can_vibrate = false;
-    std::uint64_t moved = 0;  ///< Larger: later. The latest counts.
+    std::uint64_t moved = 0;           ///< Larger: later. The latest counts.
+    std::optional<glm::vec3> counted;  ///< Where it was when that was counted.
 };
 
+/// What a hand's trigger holds.
 enum class Holds : std::uint8_t {
     Nothing,
-    Model,  ///< Heard and felt.
-    Carried,
-    Knob,  ///< Of the first cutting plane.
-    Panel,
+    Model,    ///< Heard and felt.
+    Carried,  ///< The model, by the bar under it or by a pinch on nothing.
+    Knob,     ///< Of a cutting plane.
+    Panel,    ///< Also while its ray only rests on one.
 };
 
 struct HandState {
     Holds holds = Holds::Nothing;
-    bool grips = false;
+    bool grips = false;               ///< Its fist holds the model, or its squeeze.
     bool touches = false;             ///< Its tip is on the skin; no ray then.
     std::optional<float> ray_length;  ///< As it is drawn, metres; empty: it does not point.
-    HandInput before;                 ///< Of the frame before.
+    std::optional<Pose> ghost;        ///< Where a lost hand was last, for a while.
+    float ring = 0;                   ///< How far the ring that offers a note has opened, 0..1.
+
+    HandInput before;  ///< Of the frame before; of a lost hand as it was last seen.
     bool trigger_down = false, squeeze_down = false;
     int stick_x = 0, stick_y = 0;  ///< -1 0 1: pushed.
-    std::optional<Pose> ghost;     ///< Where a lost hand was last, for a while.
     double lost_since = 0;
     std::optional<glm::vec3> rest_at;  ///< Where a pinch rests, and since when.
     double rest_since = 0;
-    float ring = 0;             ///< How far the ring that offers a note has opened, 0..1.
-    glm::mat4 carried_from{1};  ///< Pose of the grip when it took hold.
+    bool carries = false;
+    Pose carried_from;  ///< Of the grip when it took hold.
+};
+
+/// A knob of a plane that is dragged.
+struct KnobDrag {
+    Pointer by = Pointer::Mouse;
+    std::size_t cut = 0;
+    float along = 0, offset = 0;  ///< Of the pointer and of the plane when it was taken.
 };
 
 /// What is remembered from frame to frame.
 struct Interaction {
-    std::array<PointerState, 3> pointers;  ///< By Pointer: Mouse, Left, Right.
+    std::array<PointerState, kPointers> pointers;  ///< By Pointer.
     std::array<HandState, kSides> hands;
     std::optional<glm::vec3> ring;    ///< Where one would stand, on the floor.
     std::optional<glm::vec3> inside;  ///< The mouse or a hand points at opened material.
-    bool boards_moved = false;    ///< In this frame the panels' places have changed: see ViewerState::stand.
-    bool menu_asked = false;      ///< In this frame: the menu at the wrist is to come or go.
-    glm::mat4 held_placement{1};  ///< Of the model when hands took hold of it.
-    bool mouse_down = false;
-    std::optional<std::size_t>
-        knob;  ///< Of the plane that is dragged; who drags it: see `holds`, `mouse_knob`.
-    bool mouse_knob = false;
-    float knob_along = 0, knob_offset = 0;  ///< Of the pointer and the plane when the knob was taken.
-    double pressed_at = -1;                 ///< Of the mouse: for a double press.
-    double time = 0, stepped_at = 0;
-    std::uint64_t clock = 0;
+    bool boards_moved = false;  ///< In this frame the panels' places have changed: see ViewerState::stand.
+    bool menu_asked = false;    ///< In this frame: the menu at the wrist is to come or go.
+
+    bool mouse_down = false, mouse_probes = false;  ///< Pressed; pressed on the model.
+    double pressed_at = -1;                         ///< Of the mouse, on the model: for a double press.
+    std::optional<KnobDrag> knob;
+    glm::mat4 held_placement{1};         ///< Of the model when hands took hold of it.
     std::optional<std::int64_t> chosen;  ///< Node of the place that was pressed last.
-    bool was_headset = false;
+    double time = 0, step_age = 0;
+    std::uint64_t clock = 0;
+    bool has_begun = false, was_headset = false;
 };
 
-/// Shows the prober what is drawn.
+/// Once a frame. Shows the prober what is drawn.
 void interact(
     Interaction& interaction,
     ViewerState& state,
@@ -83,9 +93,4 @@ void interact(
 
 /// The pointer on the model that counts: a held one first, then the one that moved last. Empty: none is.
 std::optional<Pointer> leading(const Interaction& interaction);
-/// Places of the knobs of the planes that are on, world; of the others empty.
-std::vector<std::optional<glm::vec3>> knobs_of(const ViewerState& state, const ViewedModel& model);
-/// The bar under the model by which it is carried: its two ends, world.
-std::array<glm::vec3, 2> bar_of(const ViewerState& state, const ViewedModel& model, const glm::vec3& eye);
-
 }  // namespace feelem::viewer

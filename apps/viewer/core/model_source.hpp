@@ -71,8 +71,12 @@ public:
     /// Model units.
     double largest_side() const noexcept;
     double diagonal() const noexcept;
-    /// A vertex of a triangle at the node; empty: it is not on the skin.
-    std::optional<std::uint32_t> vertex_of_node(std::int64_t node) const;
+    /// A corner of a triangle at the node: 3 x triangle + 0, 1 or 2. Empty: it is not on the skin.
+    std::optional<std::size_t> corner_of_node(std::int64_t node) const;
+    std::uint32_t vertex_at(std::size_t corner) const { return arrays().triangles[corner / 3][corner % 3]; }
+    /// The first triangle of the element; empty: none of its facets is on the skin.
+    std::optional<std::size_t> triangle_of_element(std::int64_t element) const;
+    std::size_t part_of_triangle(std::size_t triangle) const;
     /// Which part a vertex belongs to.
     std::size_t part_of_vertex(std::uint32_t vertex) const;
 
@@ -80,7 +84,7 @@ private:
     ModelSource source_;
     mutable std::map<std::array<std::size_t, 3>, std::optional<std::array<double, 2>>> ranges_;
     mutable std::map<std::array<std::size_t, 2>, double> longest_;
-    mutable std::vector<std::pair<std::int64_t, std::uint32_t>> nodes_;  ///< Sorted; made when asked for.
+    mutable std::vector<std::pair<std::int64_t, std::size_t>> nodes_;  ///< Sorted; made when asked for.
     mutable std::string problem_;
 };
 

@@ -5,7 +5,10 @@
 #include "viewer/core/interaction.hpp"
 #include "viewer/core/snapshot.hpp"
 
+#include <functional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace feelem::viewer {
@@ -15,14 +18,20 @@ struct Overlay {
     std::vector<Label> labels;
 };
 
-Overlay make_overlay(
-    const ViewerState& state,
-    const ViewedModel& model,
-    const Prober& prober,
-    const Interaction& interaction,
-    const Snapshot& snapshot,
-    std::span<const HotSpot> spots,
-    const FrameInput& input
-);
+/// A value with its unit as people read it.
+using ValueText = std::function<std::string(double value, std::string_view unit)>;
+
+/// What an overlay is made from.
+struct OverlaySource {
+    const ViewerState& state;
+    const ViewedModel& model;
+    const Prober& prober;
+    const Interaction& interaction;
+    const Snapshot& snapshot;
+    const FrameInput& input;
+    std::span<const HotSpot> spots;
+    const ValueText& value_text;
+};
+Overlay make_overlay(const OverlaySource& source);
 
 }  // namespace feelem::viewer

@@ -44,6 +44,8 @@ public:
     Cast cast(const Ray& ray) const;
     /// Nearest place within `reach` metres.
     std::optional<SkinHit> near(const glm::vec3& point, float reach) const;
+    /// The place of a corner of a triangle (ViewedModel::corner_of_node), whether or not it can be seen.
+    SkinHit at_corner(std::size_t corner) const;
     /// Where a vertex is drawn, world.
     glm::vec3 drawn_at(std::uint32_t vertex) const;
     /// The hit's place as the skin is drawn now.
@@ -57,6 +59,8 @@ private:
 };
 
 struct ViewerState;
+/// The solver's node nearest to the place.
+std::optional<std::int64_t> node_of(const ViewedModel& model, const SkinHit& hit);
 /// Everything that is at a place: values of all results of the presentation, as feelem::probe() says them.
 Probed read_place(const ViewerState& state, const ViewedModel& model, const SkinHit& hit);
 

@@ -192,6 +192,21 @@ std::optional<SkinHit> Prober::near(const glm::vec3& point, float reach) const {
     return state.hit_of(*found, from, point);
 }
 
+SkinHit Prober::at_corner(std::size_t corner) const {
+    const ModelArrays& arrays = state_->model.arrays();
+    const std::size_t triangle = corner / 3;
+    SkinHit hit;
+    hit.part = state_->model.part_of_triangle(triangle);
+    hit.triangle = static_cast<std::uint32_t>(triangle - arrays.parts[hit.part].first_triangle);
+    hit.weights[corner % 3] = 1;
+    hit.world = world_of(hit);
+    const auto& t = arrays.triangles[triangle];
+    const glm::vec3 a = drawn_at(t[0]);
+    const glm::vec3 square = glm::cross(drawn_at(t[1]) - a, drawn_at(t[2]) - a);
+    if (glm::length(square) > 0) hit.normal = glm::normalize(square);
+    return hit;
+}
+
 glm::vec3 Prober::drawn_at(std::uint32_t vertex) const {
     const glm::dvec3 place = vec(viewer::drawn_at(state_->model.arrays().positions, state_->shape, vertex));
     return glm::vec3(state_->to(state_->to_world, place));

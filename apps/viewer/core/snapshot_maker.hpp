@@ -45,8 +45,8 @@ struct SnapshotMaker {
         std::optional<int> band;  ///< Of the coloured result, while held.
         bool at_maximum = false, at_minimum = false;
     };
-    std::array<Hand, 3> pointers;       ///< By Pointer.
-    std::map<SenseEvent, double> said;  ///< When each event came last.
+    std::array<Hand, kPointers> pointers;  ///< By Pointer.
+    std::map<SenseEvent, double> said;     ///< When each event came last.
     std::uint64_t frame = 0;
 };
 

@@ -88,22 +88,35 @@ double ViewedModel::diagonal() const noexcept {
     return std::sqrt(sum);
 }
 
-std::optional<std::uint32_t> ViewedModel::vertex_of_node(std::int64_t node) const {
+std::optional<std::size_t> ViewedModel::corner_of_node(std::int64_t node) const {
     if (nodes_.empty()) {
         const auto& ids = arrays().node_ids;
         std::vector<bool> used(ids.size());
-        for (const auto& triangle : arrays().triangles) {
-            for (const std::uint32_t vertex : triangle) {
-                if (used[vertex] || ids[vertex] == 0) continue;
-                used[vertex] = true;
-                nodes_.emplace_back(ids[vertex], vertex);
-            }
+        for (std::size_t corner = 0; corner < 3 * arrays().triangles.size(); ++corner) {
+            const std::uint32_t vertex = vertex_at(corner);
+            if (used[vertex] || ids[vertex] == 0) continue;
+            used[vertex] = true;
+            nodes_.emplace_back(ids[vertex], corner);
         }
         std::sort(nodes_.begin(), nodes_.end());
     }
-    const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), std::pair{node, std::uint32_t{0}});
+    const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), std::pair{node, std::size_t{0}});
     if (node == 0 || found == nodes_.end() || found->first != node) return std::nullopt;
     return found->second;
+}
+
+std::optional<std::size_t> ViewedModel::triangle_of_element(std::int64_t element) const {
+    const auto& ids = arrays().element_ids;
+    const auto found = std::find(ids.begin(), ids.end(), element);
+    if (found == ids.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - ids.begin());
+}
+
+std::size_t ViewedModel::part_of_triangle(std::size_t triangle) const {
+    const auto& parts = arrays().parts;
+    std::size_t part = 0;
+    while (part + 1 < parts.size() && parts[part + 1].first_triangle <= triangle) ++part;
+    return part;
 }
 
 std::size_t ViewedModel::part_of_vertex(std::uint32_t vertex) const {

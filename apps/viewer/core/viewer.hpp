@@ -30,6 +30,7 @@ struct Viewer {
     Interaction interaction;
     SnapshotMaker snapshots;
     HotSpotList spots;
+    ValueText value_text;  ///< The app may put a better one in.
 };
 
 void update(Viewer& viewer, const FrameInput& input);

@@ -9,6 +9,7 @@
 
 #include "feelem/present.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -49,6 +50,12 @@ struct Person {
     std::optional<double> weakest;  ///< Amplitude of the weakest pulse, 0.08..0.4; empty: the presentation's.
     bool upright = true;            ///< Two hands turn the model about the vertical alone.
     bool by_touch = false;          ///< In the headset a touch is heard and felt without a press.
+};
+
+/// Which events are said.
+struct EventOptions {
+    bool limit = true, extremes = true, no_value = true, enter = true;
+    bool band_edges = false;
 };
 
 struct HotOptions {
@@ -103,6 +110,7 @@ struct ViewerState {
     bool sound = true;              ///< False: muted.
     bool touch = true;              ///< False: still, no vibration.
     Person person;
+    EventOptions events;
     glm::mat4 placement{1};  ///< Metres of the model -> metres of the world.
     /// Where the person stands; empty: the next frame of a headset lays the room out before them.
     std::optional<Stand> stand;
@@ -128,8 +136,15 @@ const PresentedEffect* effect_of(const Presentation& presentation, Sense sense);
 const PresentedResult* result_of(const Presentation& presentation, Sense sense);
 /// The component that a presentation means, at a step. Empty: not there.
 std::optional<FieldChoice> find_field(const Scene& scene, const PresentedResult& wanted, std::size_t step);
+/// The same, whether or not the step has values of it: FieldChoice::values is kNoValues.
+std::optional<FieldChoice> find_component(const Scene& scene, const PresentedResult& wanted);
+inline constexpr std::size_t kNoValues = SIZE_MAX;
 /// The range in force at the state's step, which all senses of the result share.
 ValueRange range_at(const ViewerState& state, const ViewedModel& model, const PresentedResult& result);
+/// Smallest and largest value at a step: over the model where the scene states it, else on the skin.
+std::optional<std::array<double, 2>> extremes_at(
+    const ViewedModel& model, const PresentedResult& result, std::size_t step
+);
 /// Solver's name and unit as people read them: "von Mises stress", "MPa".
 std::string label_of(const Scene& scene, const PresentedResult& result);
 std::string unit_of(const Scene& scene, const PresentedResult& result);
@@ -155,6 +170,14 @@ void step_by(ViewerState& state, const ViewedModel& model, int count);
 bool can_play(const ViewerState& state, const ViewedModel& model);
 /// The vector result that moves the shape at the step.
 std::optional<FieldChoice> shape_field(const ViewerState& state, const ViewedModel& model);
+/// The other part of a complex shape.
+std::optional<FieldChoice> imaginary_shape(const ViewerState& state, const ViewedModel& model);
+/// Whether the step is a mode whose shape can swing.
+bool swings(const ViewerState& state, const ViewedModel& model);
+/// Swings a second of a mode: never its real frequency. Seconds that a step stays.
+inline constexpr double kSwings = 0.5, kStepSeconds = 0.6;
+/// So many seconds have passed; `step_age`: how long the step has been shown.
+void play(ViewerState& state, const ViewedModel& model, double seconds, double& step_age);
 double automatic_factor(const ViewerState& state, const ViewedModel& model);
 /// The deformation factor in force; 0: undeformed.
 double factor_of(const ViewerState& state, const ViewedModel& model);
@@ -170,6 +193,12 @@ void turn_cut(ViewerState& state, const ViewedModel& model, std::size_t cut, std
 void flip_cut(ViewerState& state, std::size_t cut);
 /// By a share of the plane's way through the model.
 void move_cut(ViewerState& state, const ViewedModel& model, std::size_t cut, double share);
+/// As far as the model reaches.
+void place_cut(ViewerState& state, const ViewedModel& model, std::size_t cut, float offset);
+/// All off, or all on; the first time one is added.
+void toggle_cuts(ViewerState& state, const ViewedModel& model);
+/// Where along a direction the undeformed model begins and ends, model units minus origin.
+std::array<float, 2> reach_along(const ViewedModel& model, const glm::vec3& normal);
 /// Planes in force.
 std::vector<CutPlane> cuts_of(const ViewerState& state);
 
@@ -192,6 +221,10 @@ void remove_marker(ViewerState& state, int id);
 /// 1: at the limit. Empty without a limit, or where a share of it means nothing.
 std::optional<double> utilisation(double value, const PresentedResult& result);
 
+bool is_past_limit(double value, const PresentedResult& result);
+/// Marks the node, and wishes the desk's camera there. Not on the skin: says so in the notice.
+void go_to_node(ViewerState& state, const ViewedModel& model, std::int64_t node);
+
 /// A level of detail that fits the budget; empty: the full triangles.
 std::optional<std::size_t> level_within(const ViewedModel& model, std::uint64_t budget);
 /// What a headset draws in time, before anything is known of it.
@@ -213,6 +246,6 @@ glm::mat4 model_to_world(const ViewerState& state, const ViewedModel& model);
 Look make_look(const ViewerState& state, const ViewedModel& model, bool is_headset);
 
 /// Throws Error(WriteFailed).
-void save_presentation(ViewerState& state, const std::string& path);
+void save_presentation(ViewerState& state, const ViewedModel& model, const std::string& path);
 
 }  // namespace feelem::viewer
