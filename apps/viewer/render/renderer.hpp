@@ -35,10 +35,10 @@ Camera camera_of(const EyeView& eye, float near = 0.02F, float far = 200.0F);
 
 /// A texture that stands in the world, such as a page of text.
 struct Panel {
-    unsigned texture = 0;     ///< 2-D, sRGB bytes, alpha multiplied in.
-    Pose pose;                ///< Of its centre; its front looks along +Z.
-    glm::vec2 size{1};        ///< Metres.
-    bool is_flipped = false;  ///< The texture's first row is the picture's lowest, as drawn by OpenGL.
+    unsigned texture = 0;       ///< 2-D, sRGB bytes, alpha multiplied in.
+    Pose pose;                  ///< Of its centre; its front looks along +Z.
+    glm::vec2 size{1};          ///< Metres.
+    bool is_top_first = false;  ///< Its first row is the picture's highest; OpenGL draws the lowest first.
 };
 
 struct DrawInput {
@@ -59,7 +59,8 @@ struct Target {
     unsigned texture = 0;
     unsigned framebuffer = 0;  ///< Only when `texture` is 0.
     int x = 0, y = 0, width = 0, height = 0;
-    bool is_flipped = false;  ///< First row on top.
+    bool is_top_first = false;   ///< The picture's highest row becomes the first.
+    unsigned depth_texture = 0;  ///< GL_DEPTH_COMPONENT32F of the eyes' size; 0: depth is not wanted.
 };
 
 /// How both eyes are drawn; all give the same pixels.
@@ -70,8 +71,8 @@ enum class StereoPath : std::uint8_t {
 };
 
 struct RendererOptions {
-    std::optional<StereoPath> stereo;  ///< Empty: the best there is.
-    int samples = 4;                   ///< Of antialiasing; fewer where the card has fewer.
+    std::optional<StereoPath> stereo{};  ///< Empty: the best there is.
+    int samples = 4;                     ///< Of antialiasing; fewer where the card has fewer.
     bool culling = true;
     std::uint64_t upload_bytes = 64U << 20;  ///< At most so many in one draw().
     /// Models of more vertices keep their places as 16 bits a coordinate: see Renderer::position_error().
