@@ -31,6 +31,13 @@ struct ModelDrawing {
     bool is_culled = true;
 };
 
+/// Pairs of places.
+struct GhostLines {
+    Buffer positions;
+    VertexArray array;
+    GLsizei count = 0;
+};
+
 class ModelDrawer {
 public:
     ModelDrawer(const DrawnModel& model, const RendererOptions& options, DrawCounts& counts);
@@ -74,12 +81,7 @@ private:
     Visible shown_, clear_;
     Buffer commands_;
     std::size_t command_room_ = 0;
-    struct Ghost {
-        Buffer positions, indices;
-        VertexArray array;
-        GLsizei count = 0;
-    };
-    std::optional<Ghost> ghost_;
+    std::optional<GhostLines> ghost_;
 };
 
 }  // namespace feelem::viewer
