@@ -46,9 +46,20 @@ double within_0_1(double value) {
     return value > 0 ? std::min(value, 1.0) : 0;
 }
 
+/// What no number of a frame can break: a filter that has once heard NaN never sounds again.
+SoundFrame made_safe(SoundFrame frame) {
+    constexpr double kLowestHz = 20, kHighestHz = 5000, kFastestTicks = 100;
+    if (!std::isfinite(frame.hz) || !std::isfinite(frame.gain)) frame.gain = 0;
+    frame.gain = within_0_1(frame.gain);
+    // The fourth partial stays below half of the sound's rate.
+    frame.hz = frame.hz > 0 ? std::clamp(frame.hz, kLowestHz, kHighestHz) : 0;
+    frame.tick_rate = frame.tick_rate > 0 ? std::min(frame.tick_rate, kFastestTicks) : 0;
+    return frame;
+}
+
 glm::vec3 unit_or_ahead(const glm::vec3& direction) {
     const float length = glm::length(direction);
-    return length > 1e-6F ? direction / length : glm::vec3(0, 0, -1);
+    return length > 1e-6F && std::isfinite(length) ? direction / length : glm::vec3(0, 0, -1);
 }
 
 /// A share of the turn from one unit direction to another.
@@ -122,7 +133,7 @@ void Mixer::heed(const Wish& wish) {
             place_wanted_ = unit_or_ahead(wish.frame->source);
             if (voices_.is_silent(now_)) place_ = place_wanted_;
         }
-        voices_.update(wish.frame, now_);
+        voices_.update(wish.frame ? std::optional(made_safe(*wish.frame)) : std::nullopt, now_);
     }
 }
 

@@ -24,11 +24,25 @@ Function function_of(const char* name) {
 
 }  // namespace
 
+/// Makes a context this thread's for a while: another library's, or another engine's, stays as it is.
+class Spatialiser::Turn {
+public:
+    explicit Turn(const State& state);
+    ~Turn();
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+private:
+    const State& state_;
+    ALCcontext* before_;
+};
+
 struct Spatialiser::State {
     ALCdevice* device = nullptr;
     ALCcontext* context = nullptr;
     LPALCRENDERSAMPLESSOFT render_samples = nullptr;
     PFNALCSETTHREADCONTEXTPROC set_thread_context = nullptr;
+    PFNALCGETTHREADCONTEXTPROC get_thread_context = nullptr;
     ALuint source = 0;
     std::array<ALuint, kQueue> buffers{};
     std::string words = "centred";
@@ -39,11 +53,20 @@ struct Spatialiser::State {
     void close();
 };
 
+Spatialiser::Turn::Turn(const State& state) : state_(state), before_(state.get_thread_context()) {
+    state_.set_thread_context(state_.context);
+}
+
+Spatialiser::Turn::~Turn() {
+    state_.set_thread_context(before_);
+}
+
 bool Spatialiser::State::open() {
     const auto open_loopback = function_of<LPALCLOOPBACKOPENDEVICESOFT>("alcLoopbackOpenDeviceSOFT");
     render_samples = function_of<LPALCRENDERSAMPLESSOFT>("alcRenderSamplesSOFT");
     set_thread_context = function_of<PFNALCSETTHREADCONTEXTPROC>("alcSetThreadContext");
-    if (!open_loopback || !render_samples || !set_thread_context) return false;
+    get_thread_context = function_of<PFNALCGETTHREADCONTEXTPROC>("alcGetThreadContext");
+    if (!open_loopback || !render_samples || !set_thread_context || !get_thread_context) return false;
     device = open_loopback(nullptr);
     if (!device) return false;
     const std::array<ALCint, 13> wanted{
@@ -62,7 +85,8 @@ bool Spatialiser::State::open() {
         1,
         0};
     context = alcCreateContext(device, wanted.data());
-    if (!context || !set_thread_context(context)) return false;
+    if (!context) return false;
+    const Turn turn(*this);
     ALCint status = ALC_HRTF_DISABLED_SOFT;
     alcGetIntegerv(device, ALC_HRTF_STATUS_SOFT, 1, &status);
     const bool has_hrtf = status == ALC_HRTF_ENABLED_SOFT || status == ALC_HRTF_REQUIRED_SOFT;
@@ -78,6 +102,7 @@ bool Spatialiser::State::queue(ALuint buffer, const MonoStep& samples) const {
 }
 
 bool Spatialiser::State::start() {
+    const Turn turn(*this);
     alGetError();
     alGenBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
     alGenSources(1, &source);
@@ -101,10 +126,11 @@ bool Spatialiser::State::start() {
 
 void Spatialiser::State::close() {
     if (context) {
-        set_thread_context(context);
-        if (source) alDeleteSources(1, &source);
-        if (buffers.front()) alDeleteBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
-        set_thread_context(nullptr);
+        {
+            const Turn turn(*this);
+            if (source) alDeleteSources(1, &source);
+            if (buffers.front()) alDeleteBuffers(static_cast<ALsizei>(buffers.size()), buffers.data());
+        }
         alcDestroyContext(context);
     }
     if (device) alcCloseDevice(device);
@@ -134,8 +160,7 @@ void Spatialiser::render(const MonoStep& mono, const glm::vec3& direction, Stere
     State& s = *state_;
     stereo.fill(0);
     if (!s.context) return;
-    // Of this thread alone: another library's context, or another engine's, stays as it is.
-    s.set_thread_context(s.context);
+    const Turn turn(s);
     const float length = glm::length(direction);
     const glm::vec3 unit = length > 1e-6F ? direction / length : glm::vec3(0, 0, -1);
     alSource3f(s.source, AL_POSITION, unit.x, unit.y, unit.z);

@@ -34,6 +34,7 @@ public:
 
 private:
     struct State;
+    class Turn;
     std::unique_ptr<State> state_;
 };
 

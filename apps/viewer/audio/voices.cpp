@@ -25,8 +25,7 @@ constexpr double kToneGain = 0.1;
 constexpr double kFlutterHz = 8;
 constexpr double kOpenHz = 20000, kDullHz = 400;
 constexpr double kTickHz = 3200;
-constexpr double kNoiseHz = 1000;    // Its middle, where its level is made up for.
-constexpr double kHighestHz = 5000;  // Of a tone: its fourth partial stays below half of the sound's rate.
+constexpr double kNoiseHz = 1000;  // Its middle, where its level is made up for.
 constexpr std::size_t kNoiseWeight = 4, kTickWeight = 5;
 const double kSteppedBack = std::pow(10.0, -18.0 / 20);
 const double kNoiseGain = std::pow(10.0, -24.0 / 20);
@@ -70,7 +69,7 @@ void Voices::steer(const SoundFrame& frame) {
 }
 
 void Voices::sing(const SoundFrame& frame, SoundTime now) {
-    const double cents = 1200 * std::log2(std::min(frame.hz, kHighestHz) / kBaseHz);
+    const double cents = 1200 * std::log2(frame.hz / kBaseHz);
     const auto [level, tau] = presence(frame.still, now);
     // A tone that starts anew starts at its pitch: nobody should hear where the last one ended.
     if (now >= silent_from_) {
