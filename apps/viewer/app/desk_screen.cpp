@@ -77,10 +77,7 @@ DeskFrame DeskScreen::poll(Stage& stage, double time, std::span<const DeskEvent>
     now.is_typing = gui_->wants_keys();
     now.box = box_of(viewer);
     now.to_world = glm::mat3(model_to_world(viewer.state, viewer.model));
-    now.hit = [&viewer](const Ray& ray) {
-        const Cast cast = viewer.prober.cast(ray);
-        return cast.hit ? std::optional(cast.hit->world) : cast.inside;
-    };
+    now.hit = [&viewer](const Ray& ray) { return pressable(viewer, ray); };
     DeskFrame frame = input_.step(events, now);
     for (const DeskAction action : frame.actions) act(action, window_.get(), stage.devices());
     panel_input_ = frame.panel;
@@ -127,7 +124,7 @@ void DeskScreen::draw(Stage& stage, bool headset_shows) {
     }
     picture_.bind();
     const UiWishes wishes = gui_->draw(stage.panels(), panel_input_, picture_.pixels());
-    grant(wishes, stage.viewer(), stage.devices(), headset_shows, wishes_);
+    grant(wishes, stage.viewer(), stage.devices(), wishes_);
 }
 
 void DeskScreen::lend_motors(SenseOutputs& senses) {

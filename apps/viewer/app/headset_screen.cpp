@@ -68,7 +68,7 @@ void HeadsetScreen::draw(Stage& stage, const XrFrame& frame, const PanelInput& p
         if (!boards_[index]) boards_[index] = std::make_unique<BoardTexture>(board);
         const UiWishes wishes =
             boards_[index]->draw(model, board == Board::Panel ? panel_input : PanelInput{});
-        grant(wishes, stage.viewer(), stage.devices(), true, window);
+        grant(wishes, stage.viewer(), stage.devices(), window);
         const BoardSize size = size_of(board);
         XrQuad quad;
         quad.name = static_cast<int>(board);

@@ -204,9 +204,9 @@ std::vector<UiCut> cuts_shown(const Viewer& viewer) {
     return cuts;
 }
 
-void list_places(const Viewer& viewer, UiModel& out) {
+void list_places(Viewer& viewer, UiModel& out) {
     const Scene& scene = viewer.model.about();
-    for (const HotSpot& spot : hot_spots(viewer.state, viewer.model)) {
+    for (const HotSpot& spot : viewer.spots.of(viewer.state, viewer.model)) {
         const PresentedResult* result = presented(viewer.state.presentation, spot.key);
         if (result == nullptr) continue;
         out.hot_spots.push_back(
@@ -251,9 +251,7 @@ std::vector<Sense> senses_of(const Presentation& presentation, const std::string
     return senses;
 }
 
-UiModel panel_model(
-    const Viewer& viewer, const Look& look, const Snapshot& snapshot, const DeviceWords& devices
-) {
+UiModel panel_model(Viewer& viewer, const Look& look, const Snapshot& snapshot, const DeviceWords& devices) {
     const ViewerState& state = viewer.state;
     const Scene& scene = viewer.model.about();
     UiModel out;

@@ -19,9 +19,7 @@ struct DeviceWords {
     std::string trouble;
 };
 
-UiModel panel_model(
-    const Viewer& viewer, const Look& look, const Snapshot& snapshot, const DeviceWords& devices
-);
+UiModel panel_model(Viewer& viewer, const Look& look, const Snapshot& snapshot, const DeviceWords& devices);
 /// What a result drives.
 std::vector<Sense> senses_of(const Presentation& presentation, const std::string& key);
 

@@ -2,6 +2,7 @@
 #include "viewer/app/stage.hpp"
 
 #include "viewer/app/scene_source.hpp"
+#include "viewer/ui/numbers.hpp"
 
 namespace feelem::viewer {
 namespace {
@@ -19,6 +20,7 @@ Stage::Stage(const std::string& scene_path, const SoundOutputOptions& sound)
     : scene_(scene_path), viewer_(source_of(scene_)), senses_(sound),
       growing_([this] { viewer_.prober.grow(); }) {
     renderer_.set_model(drawn_model(scene_));
+    viewer_.value_text = with_unit;
 }
 
 Stage::~Stage() {

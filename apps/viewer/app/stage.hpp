@@ -45,7 +45,7 @@ public:
     Renderer& renderer() noexcept { return renderer_; }
     SenseOutputs& senses() noexcept { return senses_; }
     DeviceWords& devices() noexcept { return devices_; }
-    UiModel panels() const { return panel_model(viewer_, frame_.look, frame_.snapshot, devices_); }
+    UiModel panels() { return panel_model(viewer_, frame_.look, frame_.snapshot, devices_); }
     /// Rays meet the model: until then it is drawn, but nothing is read.
     bool is_ready() const { return viewer_.prober.is_ready() && renderer_.is_complete(); }
 

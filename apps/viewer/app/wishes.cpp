@@ -11,13 +11,12 @@ namespace {
 struct Granter {
     Viewer& viewer;
     DeviceWords& devices;
-    bool is_headset;
     WindowWishes& window;
 
     ViewerState& state() const { return viewer.state; }
     bool has_cut(std::size_t cut) const { return cut < viewer.state.cuts.size(); }
 
-    void operator()(Command wish) const { run(state(), viewer.model, wish, is_headset); }
+    void operator()(Command wish) const { run(viewer, wish); }
     void operator()(const AssignSense& wish) const {
         if (wish.on)
             assign(state(), wish.key, wish.sense);
@@ -58,11 +57,11 @@ struct Granter {
             state().cuts.erase(state().cuts.begin() + static_cast<std::ptrdiff_t>(wish.cut));
     }
     void operator()(const GoToHotSpot& wish) const {
-        const std::vector<HotSpot> spots = hot_spots(state(), viewer.model);
-        if (wish.spot < spots.size()) state().pin = spots[wish.spot].node;
+        const std::vector<HotSpot> spots = viewer.spots.of(state(), viewer.model);
+        if (wish.spot < spots.size()) go_to_node(state(), viewer.model, spots[wish.spot].node);
     }
     void operator()(const GoToMarker& wish) const {
-        if (wish.marker < state().markers.size()) state().pin = state().markers[wish.marker].node;
+        if (wish.marker < state().markers.size()) go_to_node(state(), viewer.model, state().markers[wish.marker].node);
     }
     void operator()(const RemoveMarker& wish) const {
         if (wish.marker < state().markers.size()) remove_marker(state(), state().markers[wish.marker].id);
@@ -85,10 +84,8 @@ struct Granter {
 
 }  // namespace
 
-void grant(
-    const UiWishes& wishes, Viewer& viewer, DeviceWords& devices, bool is_headset, WindowWishes& window
-) {
-    for (const UiWish& wish : wishes) std::visit(Granter{viewer, devices, is_headset, window}, wish);
+void grant(const UiWishes& wishes, Viewer& viewer, DeviceWords& devices, WindowWishes& window) {
+    for (const UiWish& wish : wishes) std::visit(Granter{viewer, devices, window}, wish);
 }
 
 }  // namespace feelem::viewer

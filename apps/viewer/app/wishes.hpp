@@ -11,8 +11,6 @@ struct WindowWishes {
     std::vector<LookFrom> looks;
     bool try_headset = false;
 };
-void grant(
-    const UiWishes& wishes, Viewer& viewer, DeviceWords& devices, bool is_headset, WindowWishes& window
-);
+void grant(const UiWishes& wishes, Viewer& viewer, DeviceWords& devices, WindowWishes& window);
 
 }  // namespace feelem::viewer
