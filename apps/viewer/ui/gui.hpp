@@ -9,11 +9,20 @@
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace feelem::viewer {
+
+/// Something of a panel that can be pressed, in pixels of its surface; what is out of sight is not listed.
+struct UiTarget {
+    std::string name;  ///< "results/stress/pulses"
+    glm::vec2 low{0}, high{0};
+};
 
 /// Needs a current OpenGL 4.5 context, the same one in every call. Several may live side by side.
 class DeskGui {
@@ -31,6 +40,8 @@ public:
     std::array<int, 4> stage(glm::ivec2 pixels) const;
     bool wants_pointer() const;  ///< The mouse is over a panel, or holds something of it.
     bool wants_keys() const;     ///< A field is typed into.
+    /// Of the last picture.
+    const std::vector<UiTarget>& targets() const;
 
 private:
     struct State;
@@ -62,6 +73,7 @@ public:
     std::uint32_t texture() const;      ///< GL name.
     std::uint32_t framebuffer() const;  ///< To blit from.
     bool wants_pointer() const;         ///< Something of it is held, or pointed at.
+    const std::vector<UiTarget>& targets() const;
 
 private:
     struct State;
