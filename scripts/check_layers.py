@@ -41,9 +41,9 @@ PUBLIC_HEADER_OWNER = {
 }
 ONLY_IN = {"SDL": ("apps/viewer/desktop", "apps/viewer/audio", "tests/viewer"), "AL/": ("apps/viewer/audio", "tests/viewer"),
            "epoxy/": ("apps/viewer/render", "apps/viewer/xr", "apps/viewer/desktop", "apps/viewer/ui", "tests/viewer",
-                     "tests/monado"),
+                     "tests/monado", "tests/xr_runtime"),
            "imgui": ("apps/viewer/ui", "apps/viewer/desktop"),
-           "mpi.h": "src/distribute", "openxr/": ("apps/viewer/xr", "tests/viewer", "tests/monado"), "httplib.h": "apps/server", "CLI/": ("apps/cli", "apps/viewer/app/options.cpp"),
+           "mpi.h": "src/distribute", "openxr/": ("apps/viewer/xr", "tests/viewer", "tests/monado", "tests/xr_runtime"), "httplib.h": "apps/server", "CLI/": ("apps/cli", "apps/viewer/app/options.cpp"),
            "vtk": ("apps/exchange", "bench/peers"), "hdf5.h": "apps/exchange", "netcdf.h": "apps/exchange"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
