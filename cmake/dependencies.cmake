@@ -37,7 +37,7 @@ macro(feelem_viewer_dependencies)
     if(PkgConfig_FOUND)
         pkg_check_modules(FEELEM_NATIVE QUIET IMPORTED_TARGET sdl2 epoxy egl openal openxr imgui)
         # One by one too, so that each folder links only its own: PkgConfig::FEELEM_SDL2, ...
-        foreach(module sdl2 epoxy egl openal openxr imgui)
+        foreach(module sdl2 epoxy egl openal openxr imgui x11)
             string(TOUPPER FEELEM_${module} target)
             pkg_check_modules(${target} QUIET IMPORTED_TARGET ${module})
         endforeach()
