@@ -87,7 +87,11 @@ System find_headset(const Instance& instance) {
         parametric.next = properties.next;
         properties.next = &parametric;
     }
-    must(xrGetSystemProperties(instance.handle, system.id, &properties), "xrGetSystemProperties");
+    if (XR_FAILED(xrGetSystemProperties(instance.handle, system.id, &properties))) {
+        // A layer that is older than the extensions refuses the question, not the headset.
+        properties.next = nullptr;
+        must(xrGetSystemProperties(instance.handle, system.id, &properties), "xrGetSystemProperties");
+    }
     system.headset = properties.systemName;
     system.has_hands = hands.supportsHandTracking == XR_TRUE;
     system.has_parametric = parametric.supportsParametricHaptics == XR_TRUE;

@@ -64,6 +64,14 @@ void Environment::unset(const std::string& name) {
 
 Stay::Stay(const std::string& script, const std::string& faults, const XrOptions& options)
     : gl(std::make_unique<GlContext>()) {
+    start(script, faults, options);
+}
+
+Stay::Stay(InCurrentContext, const std::string& script, const std::string& faults) {
+    start(script, faults, {});
+}
+
+void Stay::start(const std::string& script, const std::string& faults, const XrOptions& options) {
     const std::string folder = fresh_folder();
     const std::string script_path = folder + "/script";
     record_path_ = folder + "/record.jsonl";

@@ -37,6 +37,9 @@ class Stay {
 public:
     /// Lines as tests/xr_runtime/script.hpp has them; words of FEELEM_XR_FAULTS.
     explicit Stay(const std::string& script, const std::string& faults = "", const XrOptions& options = {});
+    /// In the OpenGL context that is current, such as a window's.
+    struct InCurrentContext {};
+    Stay(InCurrentContext, const std::string& script, const std::string& faults = "");
     ~Stay();
     Stay(const Stay&) = delete;
     Stay& operator=(const Stay&) = delete;
@@ -67,6 +70,8 @@ public:
     std::vector<std::string> complaints() const;
 
 private:
+    void start(const std::string& script, const std::string& faults, const XrOptions& options);
+
     Environment environment_;
     std::string record_path_;
 };
