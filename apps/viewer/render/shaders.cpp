@@ -8,6 +8,8 @@ namespace {
 constexpr std::array kSkinVaryings{
     // At the middle of what is covered: at a silhouette no value is taken from beyond the triangle.
     Varying{"centroid", "float", "value"},
+    // At the middle of the pixel, wherever that is: lines need its slope.
+    Varying{"", "float", "running"},
     Varying{"centroid", "float", "missing"},
     Varying{"centroid", "float", "hatch"},
     Varying{"", "vec3", "normal"},
@@ -38,6 +40,7 @@ void place(EyeMatrices eye) {
   vec3 moved = rest + displacement * factor + displacement_im * factor_im;
   vec4 in_view = eye.model * vec4(moved, 1.0);
   to.value = value;
+  to.running = value;
   to.missing = missing;
   to.hatch = dot(rest, vec3(1.0)) * hatch_scale;
   to.normal = mat3(eye.normal) * normal;
@@ -110,9 +113,9 @@ float line_at(float quantity, float slope, float width) {
 vec4 colour_here() {
   // Derivatives are asked for before the ways part.
   float t = place_of(from.value);
-  float bands = t * palette_size;
+  float bands = place_of(from.running) * palette_size;
   float band_slope = fwidth(bands);
-  float slope = fwidth(from.value);
+  float slope = fwidth(from.running);
   vec3 cap = cap_colour();
   if (plane_count > 0 && !gl_FrontFacing && from.solid > 0.5) return vec4(cap, 1.0);
   vec3 colour = plain_colour;
@@ -124,7 +127,7 @@ vec4 colour_here() {
       if (isolines && t > 0.0 && t < 1.0 && palette_size < 100.0)
         colour = mix(colour, vec3(0.08), 0.8 * line_at(bands, band_slope, 1.2));
       if (has_limit) {
-        float off = slope > 0.0 ? abs(from.value - limit) / slope : 1.0e9;
+        float off = slope > 0.0 ? abs(from.running - limit) / slope : 1.0e9;
         colour = mix(colour, vec3(1.0), 1.0 - smoothstep(2.4, 3.2, off));
         colour = mix(colour, vec3(0.0), 1.0 - smoothstep(1.0, 1.8, off));
       }
