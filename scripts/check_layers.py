@@ -30,7 +30,7 @@ VIEWER_MAY_INCLUDE = {
     "xr": ["core", "haptics"],
     "desktop": ["core", "haptics"],
     "ui": ["core", "scene"],
-    "record": ["core"],
+    "record": ["core", "haptics"],
     "doctor": ["xr"],
 }
 PUBLIC_HEADER_OWNER = {

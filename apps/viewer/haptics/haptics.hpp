@@ -24,7 +24,7 @@ public:
     /// frame with rate 0 lets events through without beats. Events are felt by the hand that points; by
     /// whoever has `touch` when that is no hand.
     std::vector<SentPulse> update(const Snapshot& snapshot);
-    /// Still at once: lost focus, end of the session.
+    /// Still at once: lost focus, end of the session. Once or each frame.
     void stop();
 
 private:

@@ -49,7 +49,7 @@ bool is_of_limit(SenseEvent event) {
 
 void Pulser::set_sink(HapticSink* sink) {
     if (sink == sink_) return;
-    if (sink_) sink_->stop();
+    still();
     sink_ = sink;
     was_refused_ = false;
 }
@@ -79,7 +79,12 @@ void Pulser::stop() {
     update(std::nullopt);
     event_.reset();
     held_until_ = -kNever;
-    if (sink_) sink_->stop();
+    still();
+}
+
+void Pulser::still() {
+    if (sink_ && may_shake_) sink_->stop();
+    may_shake_ = false;
 }
 
 std::optional<SentPulse> Pulser::tick(double now) {
@@ -135,6 +140,7 @@ std::optional<SentPulse> Pulser::send(
     if (!sink_ || !(felt > 0)) return std::nullopt;
     was_refused_ = !sink_->pulse(felt, milliseconds);
     if (was_refused_) return std::nullopt;
+    may_shake_ = true;
     return SentPulse{now, Side::Right, felt, milliseconds, event};
 }
 

@@ -36,7 +36,7 @@ public:
     void event(SenseEvent event);
     /// Once a frame, in seconds of a clock that never goes back. Sends at most one pulse.
     std::optional<SentPulse> tick(double now);
-    /// Still at once, nothing more: release, lost focus, end of the session.
+    /// Still at once, nothing more: release, lost focus, end of the session. Once or each frame.
     void stop();
 
 private:
@@ -56,7 +56,10 @@ private:
         double now, double strength, double milliseconds, std::optional<SenseEvent> event
     );
 
+    void still();
+
     HapticSink* sink_ = nullptr;
+    bool may_shake_ = false;  ///< A pulse was sent since the sink was last told to stop.
     bool was_refused_ = false;
     std::optional<HapticFrame> frame_;
     double strength_ = 1;
