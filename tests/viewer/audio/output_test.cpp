@@ -42,15 +42,23 @@ struct Loop {
             snapshot.sound = tone_frame(0.5);
             engine.update(snapshot, true);
             output.update(frame / 72.0);
-            if (waits) std::this_thread::sleep_for(std::chrono::milliseconds(14));
+            if (waits) wait();
             const std::vector<float> taken = output.take();
             for (std::size_t k = 0; k < taken.size(); k += 2) left.push_back(taken[k]);
         }
     }
 
+    void wait() {
+        const auto before = std::chrono::steady_clock::now();
+        std::this_thread::sleep_for(std::chrono::milliseconds(14));
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
+        longest_wait = std::max(longest_wait, took.count());
+    }
+
     viewer::AudioEngine engine;
     AudioOutput output;
     int frame = 0;
+    double longest_wait = 0;  ///< Of a frame that ought to take 14 ms.
     Samples left;
 };
 
@@ -99,6 +107,7 @@ TEST(AudioOutput, a_device_that_goes_is_looked_for_every_two_seconds_and_the_sou
     EXPECT_TRUE(loop.output.is_heard());
     EXPECT_EQ(loop.output.trouble(), "");
     loop.frames(36, true);
+    if (loop.longest_wait > 0.3) GTEST_SKIP() << "the machine slept " << loop.longest_wait << " s in a frame";
     // Not one gap and not one click from the first tone to the end.
     EXPECT_LE(click_level(loop.left), -80);
     for (std::size_t at = 9600; at + 480 < loop.left.size(); at += 480) {

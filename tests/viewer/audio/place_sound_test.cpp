@@ -69,6 +69,36 @@ TEST(PlaceSound, ahead_behind_and_above_are_the_same_in_both_ears) {
     }
 }
 
+TEST(PlaceSound, the_way_to_the_far_ear_grows_with_the_angle_and_is_the_same_ahead_and_behind) {
+    if (!has_directions()) GTEST_SKIP() << "no HRTF set is installed";
+    const auto lag_at = [](double degrees) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const auto right = static_cast<float>(std::sin(angle)), back = static_cast<float>(-std::cos(angle));
+        const Stereo heard = from_direction(0.5, {right, 0, back});
+        return lag_of(heard.right, heard.left);
+    };
+    EXPECT_GT(lag_at(30), 5);
+    EXPECT_GT(lag_at(60), lag_at(30) + 5);
+    EXPECT_NEAR(lag_at(45), lag_at(135), 2);
+}
+
+TEST(PlaceSound, a_place_that_jumps_is_turned_to_within_80_ms_but_not_at_once) {
+    if (!has_directions()) GTEST_SKIP() << "no HRTF set is installed";
+    Listening listening;
+    SoundFrame frame = tone_frame(1);
+    frame.source = {-1, 0, 0};
+    listening.hold_until(0.5, frame);
+    frame.source = {1, 0, 0};
+    listening.hold_until(1, frame);
+    const auto difference = [&](double from, double to) {
+        const Stereo& heard = listening.heard();
+        return decibel(rms(part(heard.left, from, to)) / rms(part(heard.right, from, to)));
+    };
+    EXPECT_GT(difference(0.4, 0.5), 2);
+    EXPECT_GT(difference(0.506, 0.51), 0.5) << "still on its way";
+    EXPECT_NEAR(difference(0.58, 0.63), difference(0.8, 1), 0.3);
+}
+
 TEST(PlaceSound, distance_carries_nothing) {
     const Stereo near = from_direction(0.5, {0.1F, 0, -0.1F}), far = from_direction(0.5, {10, 0, -10});
     EXPECT_NEAR(decibel(rms(near.left) / rms(far.left)), 0, 0.01);
