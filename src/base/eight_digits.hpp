@@ -19,6 +19,19 @@ inline std::uint64_t load8(const char* at) {
     return word;
 }
 
+/// Whether the same characters stand in both; for a few of them, which no call is worth.
+inline bool same_characters(const char* a, const char* b, std::size_t count) {
+    if (count < 8) {
+        for (std::size_t i = 0; i < count; ++i) {
+            if (a[i] != b[i]) return false;
+        }
+        return true;
+    }
+    std::uint64_t differ = load8(a + count - 8) ^ load8(b + count - 8);
+    for (std::size_t i = 0; i + 8 < count; i += 8) differ |= load8(a + i) ^ load8(b + i);
+    return differ == 0;
+}
+
 inline bool is_eight_digits(std::uint64_t word) {
     return ((word & 0xF0F0F0F0F0F0F0F0) | (((word + 0x0606060606060606) & 0xF0F0F0F0F0F0F0F0) >> 4)) ==
            0x3333333333333333;

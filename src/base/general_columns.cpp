@@ -173,11 +173,15 @@ four_of_20(const std::array<const char*, 4>& at, __m256i keep, __m256i first, __
         )};
 }
 
+inline std::int32_t load4(const char* at) {
+    std::int32_t word = 0;
+    std::memcpy(&word, at, sizeof word);
+    return word;
+}
+
 /// Four blanks (0) or E-02, of four columns; 64 bits each.
 FEELEM_AVX2_INLINE __m256i four_exponents(const std::array<const char*, 4>& at, __m256i& odd) {
-    std::array<std::int32_t, 4> words{};
-    for (std::size_t i = 0; i < 4; ++i) std::memcpy(&words[i], at[i], sizeof words[i]);
-    const __m128i word = _mm_loadu_si128(reinterpret_cast<const __m128i*>(words.data()));
+    const __m128i word = _mm_setr_epi32(load4(at[0]), load4(at[1]), load4(at[2]), load4(at[3]));
     const __m128i none = _mm_cmpeq_epi32(word, _mm_set1_epi8(' '));
     // E+00 is what is taken off: then the characters are 0, 0 or 2 for the sign, and two digits.
     const __m128i rest = _mm_sub_epi8(word, _mm_set1_epi32(0x30302B45));
@@ -248,14 +252,17 @@ FEELEM_AVX2 bool general_reals(const char* at, std::size_t width, std::size_t co
     const __m256i edge = _mm256_set1_epi8(static_cast<char>(foreign));
     const __m256i first = _mm256_cmpeq_epi8(places, edge);
     const __m256i keep = either(first, _mm256_cmpgt_epi8(places, edge));
+    // Of fewer than four the last one again.
+    const auto offset = [&](std::size_t i) { return std::min(i, count - 1) * width; };
+    const std::array<std::size_t, 4> offsets{0, offset(1), offset(2), offset(3)};
     for (std::size_t done = 0; done < count;) {
-        // The last four once more, where their number is no multiple of four; of fewer the last one again.
+        // The last four once more, where their number is no multiple of four.
         const std::size_t from = count - done >= 4 || count < 4 ? done : count - 4;
+        const char* column = at + from * width;
         std::array<const char*, 4> mantissas{}, exponents{};
         for (std::size_t i = 0; i < 4; ++i) {
-            const char* column = at + std::min(from + i, count - 1) * width;
-            mantissas[i] = column - foreign;
-            exponents[i] = column + width - kExponentWidth;
+            mantissas[i] = column + offsets[i] - foreign;
+            exponents[i] = column + offsets[i] + width - kExponentWidth;
         }
         const FourNumbers numbers =
             width == kShortWidth ? four_of_12(mantissas, odd) : four_of_20(mantissas, keep, first, odd);

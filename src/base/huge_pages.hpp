@@ -18,6 +18,10 @@ namespace feelem {
 /// A wish, for memory that has not been touched yet. Does nothing for less than a few pages.
 void prefer_huge_pages(const void* memory, std::size_t bytes) noexcept;
 
+/// What stands there is not needed any more: the system may take whole pages of it back, whose bytes are then
+/// undefined.
+void drop_pages(void* memory, std::size_t bytes) noexcept;
+
 /// Room for `count`.
 template <class T>
 void reserve_big(std::vector<T>& values, std::size_t count) {

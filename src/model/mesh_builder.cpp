@@ -58,6 +58,17 @@ void MeshBuilder::add_nodes(std::span<const NodeId> ids, std::span<const Point3>
     if (has_angles_) mesh_.node_angles.resize(mesh_.node_ids.size());
 }
 
+void MeshBuilder::add_nodes(std::vector<NodeId>&& ids, std::vector<Point3>&& coordinates) {
+    if (!mesh_.node_ids.empty()) {
+        add_nodes(std::span<const NodeId>(ids), coordinates);
+        return;
+    }
+    assert(!lookup_ && "nodes after seal_nodes()");
+    assert(ids.size() == coordinates.size());
+    mesh_.node_ids = std::move(ids);
+    mesh_.coordinates = std::move(coordinates);
+}
+
 void MeshBuilder::seal_nodes() {
     std::vector<NodeId>& ids = mesh_.node_ids;
     if (ids.size() > kMostNodes) throw Error(Code::TooLarge, "", "more than 4 294 967 294 nodes");

@@ -30,6 +30,8 @@ public:
     void add_node(NodeId id, const Point3& coordinates);
     /// The same, with the rotation of its nodal system in degrees (about Z, X', Y'').
     void add_node(NodeId id, const Point3& coordinates, const NodalAngles& angles);
+    /// Many at once, without nodal systems of their own. As they are, where they are the first.
+    void add_nodes(std::vector<NodeId>&& ids, std::vector<Point3>&& coordinates);
     /// Many at once, without nodal systems of their own.
     void add_nodes(std::span<const NodeId> ids, std::span<const Point3> coordinates);
     /// Sorts; a repeated id keeps the later definition (DuplicateNode).

@@ -24,6 +24,15 @@ NodeIndex NodeLookup::search(NodeId id) const noexcept {
 }
 
 bool NodeLookup::find(std::span<const std::int64_t> ids, NodeIndex* out) const noexcept {
+    return find_all(ids, out);
+}
+
+bool NodeLookup::find(std::span<const std::uint32_t> ids, NodeIndex* out) const noexcept {
+    return find_all(ids, out);
+}
+
+template <class Id>
+bool NodeLookup::find_all(std::span<const Id> ids, NodeIndex* out) const noexcept {
     bool missing = false;
     if (consecutive_) {
         const std::uint64_t count = ids_.size();

@@ -25,8 +25,11 @@ public:
     /// All of them to `out`; false when one is not there. The same as one after the other, without a branch
     /// each.
     bool find(std::span<const std::int64_t> ids, NodeIndex* out) const noexcept;
+    bool find(std::span<const std::uint32_t> ids, NodeIndex* out) const noexcept;
 
 private:
+    template <class Id>
+    bool find_all(std::span<const Id> ids, NodeIndex* out) const noexcept;
     NodeIndex search(NodeId id) const noexcept;
 
     std::span<const NodeId> ids_;

@@ -67,6 +67,35 @@ bool ElementAdder::add_if_whole(const ElementRowIds& row, const RowShape& shape)
     return true;
 }
 
+void ElementAdder::add_taken(const Input& input, const TakenElements& taken) {
+    constexpr std::size_t kAtOnce = 1024;
+    const std::size_t width = taken.run->nodes_each, count = taken.ids.size();
+    const auto shape = shape_of(type_of(taken.run->type), width);
+    const ElementRow* element = shape ? &element_row(shape->type) : nullptr;
+    const bool is_plain = shape && shape->nodes == width && element->node_count == width;
+    for (std::size_t first = 0; first < count; first += kAtOnce) {
+        const std::size_t some = std::min(kAtOnce, count - first);
+        const auto nodes = taken.nodes.subspan(first * width, some * width);
+        taken_nodes_.resize(nodes.size());
+        bool is_whole = is_plain && builder_.nodes().find(nodes, taken_nodes_.data());
+        for (std::size_t i = 0; is_whole && element->dimension >= 2 && i < some; ++i)
+            is_whole = all_differ(std::span(taken_nodes_).subspan(i * width, element->corner_count));
+        if (is_whole) {
+            taken_ids_.clear();
+            for (std::size_t i = 0; i < some; ++i) taken_ids_.push_back(ElementId{taken.ids[first + i]});
+            add_whole(input, shape->type, taken.run->material, taken_ids_, taken_nodes_, [&](std::size_t i) {
+                return taken.offset(first + i);
+            });
+        } else {
+            const TakenElements rows{taken.run, taken.ids.subspan(first, some), nodes};
+            for_each_taken(rows, [&](ElementRowIds row) {
+                row.offset += taken.offset(first) - taken.run->begin;
+                add(input, row);
+            });
+        }
+    }
+}
+
 void ElementAdder::add_named(
     const Input& input,
     std::int64_t id,

@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace feelem::ansys {
 
@@ -59,6 +60,8 @@ public:
     void set_body(std::string_view body);
 
     void add(const Input& input, const ElementRowIds& row);
+
+    void add_taken(const Input& input, const TakenElements& taken);
 
     /// An element that only a list of its values names: its corners, in the order of their rows.
     void add_named(
@@ -119,6 +122,8 @@ private:
     SeenIds seen_;
     std::array<NodeId, kMaxElementNodes> nodes_{};
     std::array<NodeIndex, kMaxElementNodes> found_{};
+    std::vector<ElementId> taken_ids_;
+    std::vector<NodeIndex> taken_nodes_;
     std::int64_t last_type_ = -1;
     const TypeShape* type_ = nullptr;
     std::string body_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/ansys/list_mesh.hpp"
 
+#include "base/huge_pages.hpp"
 #include "model/mesh_builder.hpp"
 #include "read/ansys/ansys_units.hpp"
 #include "read/ansys/element_adder.hpp"
@@ -61,6 +62,49 @@ bool same_bits(const Point3& a, const Point3& b) {
     });
 }
 
+void add_nodes(const ListFile& file, List& list, Diagnostics& diagnostics, ListedNodes& nodes) {
+    const bool all_taken = std::ranges::all_of(list.runs, [](const RowRun& run) { return run.taken > 0; });
+    if (all_taken && nodes.ids.empty()) {
+        nodes.ids = std::move(list.taken.node_ids);
+        nodes.positions = std::move(list.taken.places);
+        return;
+    }
+    const std::size_t expected = nodes.ids.size() + list.rows;
+    nodes.ids.reserve(expected);
+    nodes.positions.reserve(expected);
+    const auto add_taken = [&](std::size_t first, std::size_t count) {
+        const auto ids = std::span(list.taken.node_ids).subspan(first, count);
+        const auto places = std::span(list.taken.places).subspan(first, count);
+        nodes.ids.insert(nodes.ids.end(), ids.begin(), ids.end());
+        nodes.positions.insert(nodes.positions.end(), places.begin(), places.end());
+        if (!nodes.angles.empty()) nodes.angles.resize(nodes.ids.size());
+    };
+    const auto add_row = [&](const NodeRow& row) {
+        const bool rotated = row.angles[0] != 0 || row.angles[1] != 0 || row.angles[2] != 0;
+        if (rotated) nodes.angles.resize(nodes.ids.size());
+        if (rotated || !nodes.angles.empty()) nodes.angles.push_back(row.angles);
+        nodes.ids.push_back(NodeId{row.id});
+        nodes.positions.push_back(row.position);
+    };
+    for_each_node(file, list, &diagnostics, add_row, add_taken);
+}
+
+/// Memory of taken rows goes back as they turn into elements, so that not all of it is there with the mesh.
+void add_elements(const ListFile& file, List& list, Diagnostics& diagnostics, ElementAdder& adder) {
+    constexpr std::size_t kAtOnce = std::size_t{1} << 21U;
+    std::vector<std::uint32_t>& nodes = list.taken.element_nodes;
+    std::size_t used = 0, dropped = 0;
+    const auto add_taken = [&](const TakenElements& taken) {
+        adder.add_taken(file.input, taken);
+        used += taken.nodes.size();
+        if (used - dropped < kAtOnce) return;
+        drop_pages(nodes.data() + dropped, (used - dropped) * sizeof nodes.front());
+        dropped = used;
+    };
+    const auto add_row = [&](const ElementRowIds& row) { adder.add(file.input, row); };
+    for_each_element(file, list, &diagnostics, add_row, add_taken);
+}
+
 /// Elements out of PRESOL listings, when no list of elements is there.
 void add_elements_of_values(std::span<const ListFile> files, ElementAdder& adder) {
     for (const ListFile& file : files) {
@@ -95,23 +139,15 @@ void add_elements_of_values(std::span<const ListFile> files, ElementAdder& adder
 
 }  // namespace
 
-ListedNodes collect_nodes(std::span<const ListFile> files, Diagnostics& diagnostics) {
+ListedNodes collect_nodes(std::span<ListFile> files, Diagnostics& diagnostics) {
     ListedNodes nodes;
-    for (const ListFile& file : files) {
-        for (const List& list : file.lists) {
+    for (ListFile& file : files) {
+        for (List& list : file.lists) {
             if (list.kind != ListKind::Nodes) continue;
             check_node_list(file, list, diagnostics);
             nodes.has_angles = nodes.has_angles || list.has_angles;
-            const std::size_t expected = nodes.ids.size() + list.rows;
-            nodes.ids.reserve(expected);
-            nodes.positions.reserve(expected);
-            for_each_node(file, list, &diagnostics, [&](const NodeRow& row) {
-                const bool rotated = row.angles[0] != 0 || row.angles[1] != 0 || row.angles[2] != 0;
-                if (rotated) nodes.angles.resize(nodes.ids.size());
-                if (rotated || !nodes.angles.empty()) nodes.angles.push_back(row.angles);
-                nodes.ids.push_back(NodeId{row.id});
-                nodes.positions.push_back(row.position);
-            });
+            add_nodes(file, list, diagnostics, nodes);
+            list.taken = {};
         }
     }
     sort_nodes(nodes);
@@ -167,7 +203,7 @@ std::vector<NodeId> nodes_of_elements(std::span<const ListFile> files) {
 }
 
 Mesh build_mesh(
-    std::span<const ListFile> files,
+    std::span<ListFile> files,
     TypeTable types,
     ListedNodes nodes,
     std::span<const std::string> parts,
@@ -181,8 +217,7 @@ Mesh build_mesh(
     guess_types(files, position, types, diagnostics);
 
     MeshBuilder builder(diagnostics);
-    builder.reserve_nodes(nodes.ids.size());
-    if (nodes.angles.empty()) builder.add_nodes(nodes.ids, nodes.positions);
+    if (nodes.angles.empty()) builder.add_nodes(std::move(nodes.ids), std::move(nodes.positions));
     for (std::size_t i = 0; i < nodes.angles.size(); ++i)
         builder.add_node(nodes.ids[i], nodes.positions[i], nodes.angles[i]);
     if (const auto unit = length_unit(nodes.length_unit)) builder.set_length_unit(*unit);
@@ -197,12 +232,11 @@ Mesh build_mesh(
     }
     builder.expect_elements(elements);
     ElementAdder adder(builder, std::move(types), diagnostics);
-    for (const ListFile& file : files) {
-        for (const List& list : file.lists) {
+    for (ListFile& file : files) {
+        for (List& list : file.lists) {
             if (list.kind != ListKind::Elements || !list.has_nodes) continue;
-            for_each_element(file, list, &diagnostics, [&](const ElementRowIds& row) {
-                adder.add(file.input, row);
-            });
+            add_elements(file, list, diagnostics, adder);
+            list.taken = {};
         }
     }
     const bool has_element_list = std::ranges::any_of(files, [](const ListFile& file) {

@@ -22,8 +22,8 @@ struct ListedNodes {
     std::string length_unit;          ///< Empty: no input says so.
 };
 
-/// All NLIST listings (CoordinateSystem, LowPrecision).
-ListedNodes collect_nodes(std::span<const ListFile> files, Diagnostics& diagnostics);
+/// All NLIST listings (CoordinateSystem, LowPrecision). Consumes the nodes that were taken.
+ListedNodes collect_nodes(std::span<ListFile> files, Diagnostics& diagnostics);
 
 /// Sorts by id and drops equal definitions of a node.
 void sort_nodes(ListedNodes& nodes);
@@ -34,9 +34,10 @@ void add_unplaced(ListedNodes& nodes, std::vector<NodeId> ids);
 /// Ids of the nodes that elements use.
 std::vector<NodeId> nodes_of_elements(std::span<const ListFile> files);
 
-/// The mesh; `parts`: further part names that results need. Consumes the nodes.
+/// The mesh; `parts`: further part names that results need. Consumes the nodes, and the elements that were
+/// taken.
 Mesh build_mesh(
-    std::span<const ListFile> files,
+    std::span<ListFile> files,
     TypeTable types,
     ListedNodes nodes,
     std::span<const std::string> parts,

@@ -13,7 +13,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -154,18 +153,20 @@ public:
     }
 
     /// A row with a number in each column, which has been read in another way: those behind it may be like
-    /// it. `row`: from it on to the end of its run.
-    void learn(std::string_view row, char line_end) {
+    /// it. `row`: from it on to the end of its run. False: those are still looked for that were before.
+    bool learn(std::string_view row, char line_end) {
         ++misses_;
-        if (misses_ > 8 && misses_ % 64 != 0) return;
+        if (misses_ > 8 && misses_ % 64 != 0) return false;
         length_ = 0;
         const std::size_t end = row.find(line_end);
-        if (end == std::string_view::npos || end > kLongest || !find_columns(row.substr(0, end + 1))) return;
+        if (end == std::string_view::npos || end > kLongest || !find_columns(row.substr(0, end + 1)))
+            return true;
         tail_ = row.substr(first_ + reals_ * width_, end + 1 - first_ - reals_ * width_);
         std::int64_t id = 0;
         std::vector<Real> values(reals_);
-        if (tail_.front() != ' ' && tail_.front() != '\r' && tail_.front() != line_end) return;
+        if (tail_.front() != ' ' && tail_.front() != '\r' && tail_.front() != line_end) return true;
         if (is_alike(row.data(), id, values.data())) length_ = end + 1;
+        return true;
     }
 
     /// Of a row without its line end, as the general way counts it.
@@ -178,13 +179,16 @@ private:
     static constexpr std::size_t kLongest = 1024;
     static constexpr std::size_t kLeast = 12, kMost = 20;  ///< Of columns_of_reals.
     static constexpr std::size_t kExponent = 4;            ///< Or four blanks.
+    static constexpr std::size_t kAhead = 1024;            ///< What will be read soon, beyond the end too.
 
     bool is_alike(const char* row, std::int64_t& id, Real* out) const {
+        __builtin_prefetch(row + kAhead);
+        __builtin_prefetch(row + kAhead + 64);
         if (!fast_integer(row, id_end_, id) || id == 0) return false;
         std::uint64_t foreign = 0;
         for (std::size_t i = id_end_; i < first_; ++i) foreign |= static_cast<std::uint64_t>(row[i] != ' ');
         return foreign == 0 && columns_of_reals(row + first_, width_, reals_, out) &&
-               std::memcmp(row + first_ + reals_ * width_, tail_.data(), tail_.size()) == 0;
+               same_characters(row + first_ + reals_ * width_, tail_.data(), tail_.size());
     }
 
     /// Where the id ends, where columns begin and how wide they are. False: not known, or not of one width.

@@ -3,6 +3,7 @@
 // with holes or overflowed columns is cut by the column width.
 #include "read/ansys/list_rows.hpp"
 
+#include "read/ansys/list_node_rows.hpp"
 #include "read/ansys/list_plain_rows.hpp"
 #include "read/ansys/list_text.hpp"
 
@@ -26,6 +27,12 @@ constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 std::string_view without_return(std::string_view line) {
     if (line.ends_with('\r')) line.remove_suffix(1);
     return line;
+}
+
+/// The last line of rows that were taken, without its end.
+std::string_view last_line(const ListFile& file, const RowRun& run) {
+    const std::string_view rows = file.input.text().substr(run.begin, run.end - run.begin - 1);
+    return rows.substr(rows.rfind(file.line_end) + 1);  // npos + 1 is 0.
 }
 
 /// Reports a last line that may have been cut in the middle of a number. True: do not use it.
@@ -226,56 +233,28 @@ bool read_node_row(
     return true;
 }
 
-/// Place and angles of plain rows.
-class PlainNodeRows {
-public:
-    explicit PlainNodeRows(bool has_angles) : columns_(has_angles ? 6 : 3), reals_(has_angles ? 6 : 3) {}
-
-    bool read(RowCursor& cursor, NodeRow& row, std::size_t& length) {
-        if (alike_.read(cursor, row.id, row.position)) {
-            length = alike_.length();
-            row.angles = angles_;
-            return true;
-        }
-        const std::string_view rest = cursor.rest();
-        const char* at = cursor.plain_row(reals_.size());
-        if (at == nullptr || !scan_plain_id(at, cursor.text_end(), row.id) ||
-            !columns_.scan(at, cursor.text_end(), reals_))
-            return false;
-        if (!cursor.finish_row(at, length)) return false;
-        std::copy_n(reals_.begin(), 3, row.position.begin());
-        if (reals_.size() == 6)
-            std::copy_n(reals_.begin() + 3, 3, row.angles.begin());
-        else
-            row.angles = {};
-        alike_.learn(rest, cursor.line_end());
-        angles_ = row.angles;
-        return true;
-    }
-
-private:
-    static constexpr std::size_t kCoordinates = 3;
-
-    AlikeRows<double> alike_{kCoordinates};
-    NodalAngles angles_{};  ///< Of the row that others are like: theirs are printed alike.
-    PlainColumns<double> columns_;
-    std::vector<double> reals_;
-};
-
 }  // namespace
 
 void for_each_node(
     const ListFile& file,
     const List& list,
     Diagnostics* diagnostics,
-    const std::function<void(const NodeRow&)>& use
+    const std::function<void(const NodeRow&)>& use,
+    const std::function<void(std::size_t first, std::size_t count)>& use_taken
 ) {
     std::size_t usual_length = 0;
+    std::size_t taken = 0;
     NodeRow row;
     PlainNodeRows plain(list.has_angles);
     ReleaseBehind release(file.input);
-    for (const TextRange run : list.runs) {
-        for (RowCursor cursor(file, run); !cursor.at_end();) {
+    for (const RowRun& run : list.runs) {
+        if (run.taken > 0) {
+            use_taken(taken, run.taken);
+            taken += run.taken;
+            usual_length = without_return(last_line(file, run)).size();
+            continue;
+        }
+        for (RowCursor cursor(file, {run.begin, run.end}); !cursor.at_end();) {
             row.offset = cursor.at();
             if (!plain.read(cursor, row, usual_length)) {
                 const Lines lines = cursor.line();
@@ -299,8 +278,8 @@ void for_each_value_row(
     ValueRow row;
     ReleaseBehind release(file.input);
     row.values = parser.values();
-    for (const TextRange run : list.runs) {
-        for (RowCursor cursor(file, run); !cursor.at_end();) {
+    for (const RowRun& run : list.runs) {
+        for (RowCursor cursor(file, {run.begin, run.end}); !cursor.at_end();) {
             row.offset = cursor.at();
             if (!parser.parse_plain(cursor, row.id, usual_length)) {
                 const Lines lines = cursor.line();
@@ -329,7 +308,7 @@ int coordinate_digits(const ListFile& file, const List& list) {
     constexpr int kRows = 20;
     std::size_t most = 0;
     int rows = 0;
-    for (const TextRange run : list.runs) {
+    for (const RowRun& run : list.runs) {
         Lines lines(file.input.text(), run.begin, run.end, file.line_end);
         while (lines.next() && rows++ < kRows) {
             Cursor cursor(lines.line());

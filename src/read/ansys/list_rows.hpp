@@ -32,6 +32,17 @@ struct ElementRowIds {
     std::size_t offset = 0;
 };
 
+/// Elements that were read while their list was looked for.
+struct TakenElements {
+    const RowRun* run = nullptr;
+    std::span<const std::uint32_t> ids;
+    std::span<const std::uint32_t> nodes;  ///< As many of each element.
+
+    std::size_t offset(std::size_t i) const {
+        return run->begin + i * ((run->end - run->begin) / run->taken);
+    }
+};
+
 struct ValueRow {
     std::int64_t id = 0;            ///< Node, or element in ListKind::ElementValues.
     std::int64_t element = 0;       ///< ListKind::ElementNodalValues,
@@ -43,19 +54,24 @@ struct ValueRow {
 
 // Each throws Error(BadNumber) for a row that cannot be understood. A last row that the file does not end and
 // that is shorter than the others is left out (TruncatedInput); lines that are no rows are counted
-// (UnknownBlock). Without diagnostics nothing is reported: for a second pass.
+// (UnknownBlock). Without diagnostics nothing is reported: for a second pass. Runs that were taken go to
+// use_taken where there is one.
 void for_each_node(
     const ListFile& file,
     const List& list,
     Diagnostics* diagnostics,
-    const std::function<void(const NodeRow&)>& use
+    const std::function<void(const NodeRow&)>& use,
+    const std::function<void(std::size_t first, std::size_t count)>& use_taken
 );
 void for_each_element(
     const ListFile& file,
     const List& list,
     Diagnostics* diagnostics,
-    const std::function<void(const ElementRowIds&)>& use
+    const std::function<void(const ElementRowIds&)>& use,
+    const std::function<void(const TakenElements&)>& use_taken = nullptr
 );
+/// One after the other.
+void for_each_taken(const TakenElements& taken, const std::function<void(const ElementRowIds&)>& use);
 void for_each_value_row(
     const ListFile& file,
     const List& list,

@@ -7,7 +7,9 @@
 #include "read/ansys/list_scan.hpp"
 
 #include "read/ansys/list_columns.hpp"
+#include "read/ansys/list_element_lines.hpp"
 #include "read/ansys/list_heads.hpp"
+#include "read/ansys/list_taken.hpp"
 #include "read/ansys/list_text.hpp"
 
 #include "feelem/error.hpp"
@@ -36,6 +38,7 @@ public:
         ReleaseBehind release(file_.input);
         while (lines.next()) {
             release.at(lines.begin());
+            if (rows_ == Rows::Accepted && take_rows(lines)) continue;
             const char mark = first_mark(lines.line());
             if (mark == '\0') continue;
             if (is_digit(mark))
@@ -43,10 +46,28 @@ public:
             else if (mark != '-' && mark != '+' && mark != '.')
                 text_line(lines);
         }
+        // The last element may have been cut: that is seen when it is read.
+        if (!file_.lists.empty() && ends_with_taken(file_.lists.back(), ListKind::Elements) &&
+            file_.lists.back().runs.back().end == text.size())
+            taker_.give_back(file_.lists.back());
         return std::move(file_);
     }
 
 private:
+    static bool ends_with_taken(const List& list, ListKind kind) {
+        return list.kind == kind && !list.runs.empty() && list.runs.back().taken > 0;
+    }
+
+    /// Whether rows that are like others begin here: then all of them are read.
+    bool take_rows(Lines& lines) {
+        if (!is_digit(first_mark(lines.line()))) return false;
+        const std::size_t end = taker_.take(file_.lists.back(), lines.begin(), new_run_);
+        if (end == lines.begin()) return false;
+        new_run_ = false;
+        lines.go_to(end);
+        return true;
+    }
+
     /// What a line that begins with a number is taken for.
     enum class Rows {
         Accepted,  ///< A row of the current list.
@@ -69,7 +90,11 @@ private:
     /// Adds a line to the current run, or begins the next one.
     void extend(const Lines& lines) {
         List& list = file_.lists.back();
-        if (new_run_ || list.runs.empty()) list.runs.push_back({lines.begin(), lines.end()});
+        // A further line of the element before: it is none like the others.
+        if (ends_with_taken(list, ListKind::Elements) && indent_of(lines.line()) >= kContinuationIndent)
+            taker_.give_back(list);
+        if (new_run_ || list.runs.empty() || list.runs.back().taken > 0)
+            list.runs.push_back({lines.begin(), lines.end(), 0, 0, 0, 0});
         list.runs.back().end = lines.end();
         new_run_ = false;
     }
@@ -83,6 +108,7 @@ private:
             );
         }
         file_.lists.push_back(std::move(list));
+        taker_.begin(file_.lists.back());
     }
 
     bool open_guessed(std::string_view line) {
@@ -359,6 +385,7 @@ private:
 
     Diagnostics& diagnostics_;
     ListFile file_;
+    RowTaker taker_{file_};
     Rows rows_ = Rows::Guessed;
     Title title_ = Title::None;
     bool continues_ = false;  ///< An equal head goes on with the last list: no title or footer in between.

@@ -5,8 +5,10 @@
 #include "base/input.hpp"
 
 #include "feelem/diagnostics.hpp"
+#include "feelem/mesh.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -54,14 +56,35 @@ struct TextRange {
     std::size_t end = 0;
 };
 
+/// Rows that stand one after the other.
+struct RowRun {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    /// All its rows (nodes or elements), when they were read while they were found: equally long, the next
+    /// ones in the list's TakenRows. 0: they are still to be read.
+    std::size_t taken = 0;
+    std::size_t nodes_each = 0;  ///< Of the elements taken, as the next two.
+    std::int64_t material = 0;
+    std::int64_t type = 0;
+};
+
+/// What rows hold that were read while they were found, so that their bytes are touched once.
+struct TakenRows {
+    std::vector<NodeId> node_ids;
+    std::vector<Point3> places;
+    std::vector<std::uint32_t> element_ids;
+    std::vector<std::uint32_t> element_nodes;  ///< Their ids.
+};
+
 struct List {
     ListKind kind = ListKind::Nodes;
-    std::vector<TextRange> runs;  ///< Rows, a run a page; between them only heads.
-    std::size_t rows = 0;         ///< Lines that begin with a number: a bound, some may be other text.
-    ValueHead head;               ///< Of values.
-    int display_system = 0;       ///< DSYS of nodes.
-    bool has_angles = false;      ///< Of nodes.
-    bool has_nodes = true;        ///< Of elements: false after DO NOT LIST NODES.
+    std::vector<RowRun> runs;  ///< One a page or more; between them only heads.
+    TakenRows taken;
+    std::size_t rows = 0;     ///< Lines that begin with a number: a bound, some may be other text.
+    ValueHead head;           ///< Of values.
+    int display_system = 0;   ///< DSYS of nodes.
+    bool has_angles = false;  ///< Of nodes.
+    bool has_nodes = true;    ///< Of elements: false after DO NOT LIST NODES.
 };
 
 struct ListedType {

@@ -41,6 +41,8 @@ public:
         next_ = begin_ + length + 1;
         return true;
     }
+    /// What stands before that is not looked at: the next line begins there.
+    void go_to(std::size_t offset) { next_ = offset; }
     std::string_view line() const { return line_; }                  ///< Without its end.
     std::size_t begin() const { return begin_; }                     ///< Offset in the text.
     std::size_t end() const { return next_ < end_ ? next_ : end_; }  ///< Offset behind its end.

@@ -96,13 +96,23 @@ std::optional<ElementType> conclude(const Votes& votes) {
     return votes.most_nodes > 10 && votes.most_nodes <= 20 ? std::optional(ElementType::Hex20) : std::nullopt;
 }
 
+bool has_name(const TypeTable& types, std::int64_t type) {
+    const auto known = types.find(static_cast<int>(type));
+    return type <= std::numeric_limits<std::int32_t>::max() && known != types.end() &&
+           !known->second.name.empty();
+}
+
 /// Whether the rows of a list are surely of types that have names: by the third column alone, which is far
 /// less work than reading the rows. False when in doubt.
 bool has_names_for_all(const ListFile& file, const List& list, const TypeTable& types) {
     constexpr std::size_t kFurtherRow = 20, kTypeEnd = 16;
     std::int64_t named = -1;  // The last one that was looked up.
     bool open = false;
-    for (const TextRange run : list.runs) {
+    for (const RowRun& run : list.runs) {
+        if (run.taken > 0) {
+            if (!has_name(types, run.type)) return false;
+            continue;
+        }
         for (Lines lines(file.input.text(), run.begin, run.end, file.line_end); lines.next();) {
             const std::string_view line = lines.line();
             if (!is_digit(first_mark(line))) continue;
@@ -115,8 +125,7 @@ bool has_names_for_all(const ListFile& file, const List& list, const TypeTable& 
             if (!in_columns) return false;
             open = true;
             if (type == named) continue;
-            const auto known = types.find(static_cast<int>(type));
-            if (known == types.end() || known->second.name.empty()) return false;
+            if (!has_name(types, type)) return false;
             named = type;
         }
     }
