@@ -8,6 +8,7 @@
 #include "viewer/app/headset_screen.hpp"
 #include "viewer/app/run_doctor.hpp"
 #include "viewer/app/scripted_events.hpp"
+#include "viewer/record/recording.hpp"
 
 #include "feelem/error.hpp"
 
@@ -53,6 +54,7 @@ public:
         stage_.viewer().state.sound = !options.mute;
         if (options.headset != UseHeadset::Off && options.screenshot.empty())
             headset_.emplace(XrOptions{"feelem-xr", options.headset == UseHeadset::Require});
+        if (!options.record.empty()) recording_.emplace(options.record, options.inputs.front());
         if (!options.script.empty()) {
             const Input script = Input::from_file(options.script);
             script_.emplace(parse_script(script.text(), options.script));
@@ -77,6 +79,7 @@ private:
     std::optional<HeadsetScreen> headset_;
     std::optional<ScriptPlayer> script_;
     ScriptedHand scripted_;
+    std::optional<Recording> recording_;
     std::uint64_t frames_ = 0;
     double began_ = now();
 };
@@ -100,6 +103,11 @@ bool Session::frame() {
     if (!in_headset) {
         desk_.lend_motors(stage_.senses());
         stage_.step(desk.input);
+    }
+    if (recording_) {
+        const Frame& was = stage_.frame();
+        recording_->add(was.input, was.snapshot, was.pulses, stage_.senses().take_sound());
+        stage_.devices().trouble = recording_->trouble();
     }
     const bool headset_shows = headset_ && headset_->is_shown();
     desk_.draw(stage_, headset_shows);

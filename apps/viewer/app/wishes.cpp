@@ -61,7 +61,8 @@ struct Granter {
         if (wish.spot < spots.size()) go_to_node(state(), viewer.model, spots[wish.spot].node);
     }
     void operator()(const GoToMarker& wish) const {
-        if (wish.marker < state().markers.size()) go_to_node(state(), viewer.model, state().markers[wish.marker].node);
+        if (wish.marker < state().markers.size())
+            go_to_node(state(), viewer.model, state().markers[wish.marker].node);
     }
     void operator()(const RemoveMarker& wish) const {
         if (wish.marker < state().markers.size()) remove_marker(state(), state().markers[wish.marker].id);
