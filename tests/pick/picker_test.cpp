@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/parallel.hpp"
+
 #include "feelem/pick.hpp"
 
 #include <gtest/gtest.h>
@@ -178,6 +180,25 @@ TEST(Picker, triangles_on_one_spot_do_not_make_it_deep) {
 
     EXPECT_EQ(picker.ray({0.2, 0.2, 1}, {0, 0, -1})->triangle, 0U);
     EXPECT_EQ(picker.nearest({0.2, 0.2, 1})->triangle, 0U);
+}
+
+TEST(Picker, hierarchy_is_the_same_whatever_the_number_of_threads) {
+    const Triangles mesh = soup(5000);
+    set_thread_count(1);
+    const Hierarchy alone = grow_hierarchy(mesh.positions, mesh.triangles);
+    set_thread_count(3);
+    const Hierarchy together = grow_hierarchy(mesh.positions, mesh.triangles);
+    set_thread_count(0);
+    EXPECT_EQ(alone.order, together.order);
+    ASSERT_EQ(alone.nodes.size(), together.nodes.size());
+    for (std::size_t i = 0; i < alone.nodes.size(); ++i) {
+        EXPECT_EQ(alone.nodes[i].low, together.nodes[i].low);
+        EXPECT_EQ(alone.nodes[i].high, together.nodes[i].high);
+        EXPECT_EQ(alone.nodes[i].first, together.nodes[i].first);
+        if (alone.nodes[i].count == 0) {
+            EXPECT_GT(alone.nodes[i].first, i) << "children stand behind their parents";
+        }
+    }
 }
 
 }  // namespace
