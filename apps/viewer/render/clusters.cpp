@@ -156,23 +156,27 @@ bool is_turned_away(const SeenFrom& view, const Cluster& cluster) {
     return glm::dot(to_centre, cluster.axis) >= cluster.spread * distance + cluster.radius;
 }
 
-bool is_closed(const Geometry& geometry) {
-    // A vertex without node is itself; node ids are signed, so that the mark goes into the hash.
+std::vector<std::uint64_t> open_edges(const Geometry& geometry) {
     const auto name_of = [&](std::uint32_t vertex) {
         const std::int64_t id = vertex < geometry.node_ids.size() ? geometry.node_ids[vertex] : 0;
+        // A vertex without node is itself.
         return id != 0 ? scattered(static_cast<std::uint64_t>(id)) : scattered(vertex ^ 0x5555555500000000U);
     };
-    std::uint64_t sum = 0;
-    for (const auto& triangle : geometry.triangles) {
-        std::array<std::uint64_t, 3> names{};
-        for (std::size_t k = 0; k < 3; ++k) names[k] = name_of(triangle[k]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint64_t a = names[k], b = names[(k + 1) % 3];
-            const std::uint64_t edge = scattered(std::min(a, b) ^ scattered(std::max(a, b)));
-            sum += a < b ? edge : a > b ? ~edge + 1 : 0;
+    std::vector<std::uint64_t> sums;
+    for (const PartRange& part : geometry.parts) {
+        std::uint64_t sum = 0;
+        for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangles; ++t) {
+            std::array<std::uint64_t, 3> names{};
+            for (std::size_t k = 0; k < 3; ++k) names[k] = name_of(geometry.triangles[t][k]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint64_t a = names[k], b = names[(k + 1) % 3];
+                const std::uint64_t edge = scattered(std::min(a, b) ^ scattered(std::max(a, b)));
+                sum += a < b ? edge : a > b ? ~edge + 1 : 0;
+            }
         }
+        sums.push_back(sum);
     }
-    return sum == 0;
+    return sums;
 }
 
 }  // namespace feelem::viewer

@@ -56,8 +56,9 @@ bool is_outside(const SeenFrom& view, const glm::vec3& centre, float radius);
 /// All triangles of the cluster turn their backs to the eye.
 bool is_turned_away(const SeenFrom& view, const Cluster& cluster);
 
-/// The triangles enclose volumes: each edge is used once in each direction. By a sum of 64-bit hashes, so
-/// wrong with a chance of one in 2^64. Vertices of the same node are one.
-bool is_closed(const Geometry& geometry);
+/// Per part a sum over its edges. Parts whose sums add up to zero enclose volumes together: each edge is used
+/// once in each direction. Hashes of 64 bits, so wrong with a chance of one in 2^64. Vertices of the same
+/// node are one.
+std::vector<std::uint64_t> open_edges(const Geometry& geometry);
 
 }  // namespace feelem::viewer

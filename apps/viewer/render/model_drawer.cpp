@@ -25,19 +25,6 @@ bool has_clear(const Look& look) {
     return std::ranges::find(look.parts, PartLook::Clear) != look.parts.end();
 }
 
-void draw_commands(std::size_t first, std::size_t count, DrawCounts& counts) {
-    if (count == 0) return;
-    const std::size_t offset = first * sizeof(DrawCommand);
-    glMultiDrawElementsIndirect(
-        GL_TRIANGLES,
-        GL_UNSIGNED_INT,
-        reinterpret_cast<const void*>(offset),
-        static_cast<GLsizei>(count),
-        sizeof(DrawCommand)
-    );
-    ++counts.draw_calls;
-}
-
 }  // namespace
 
 ModelDrawer::ModelDrawer(const DrawnModel& model, const RendererOptions& options, DrawCounts& counts)
@@ -46,6 +33,15 @@ ModelDrawer::ModelDrawer(const DrawnModel& model, const RendererOptions& options
     const float diagonal = glm::distance(vec_of(geometry.low), vec_of(geometry.high));
     if (diagonal > 0) diagonal_ = diagonal;
     typical_edge_ = typical_edge(geometry);
+    nothing_ = make_vertex_array();
+}
+
+ModelPrograms make_model_programs(StereoPath path) {
+    return {make_program(skin_text(), path), make_program(edge_text(), path), make_program(cap_text(), path)};
+}
+
+void ModelPrograms::set_eye(int eye) const {
+    for (const Program* program : {&skin, &edges, &caps}) program->set("only_eye", eye);
 }
 
 ModelDrawer::ClusterList& ModelDrawer::clusters_of(std::optional<std::size_t> level) {
@@ -71,12 +67,8 @@ bool ModelDrawer::can_hide_backs(const ModelDrawing& drawing, std::span<const Se
         std::ranges::all_of(look.parts, [](PartLook part) { return part == PartLook::Shown; });
     if (!is_whole || !look.cuts.empty() || factor_ != 0 || factor_im_ != 0 || buffers_.list().level)
         return false;
-    if (!closed_) {
-        const bool is_solid = model_.solid.size() >= model_.geometry->parts.size() &&
-                              std::ranges::all_of(model_.solid, [](bool solid) { return solid; });
-        closed_ = is_solid && is_closed(*model_.geometry);
-    }
-    if (!*closed_) return false;
+    const bool is_solid = std::ranges::all_of(model_.solid, [](bool solid) { return solid; });
+    if (!is_solid || model_.solid.size() < model_.geometry->parts.size() || !is_closed(look)) return false;
     // From within, the backs are what one sees.
     const float margin = 0.02F * diagonal_;
     return std::ranges::none_of(eyes, [&](const SeenFrom& eye) {
@@ -84,6 +76,20 @@ bool ModelDrawer::can_hide_backs(const ModelDrawing& drawing, std::span<const Se
                         high = vec_of(model_.geometry->high) + margin;
         return glm::all(glm::greaterThan(eye.eye, low)) && glm::all(glm::lessThan(eye.eye, high));
     });
+}
+
+/// The solids that are shown enclose volumes, all together.
+bool ModelDrawer::is_closed(const Look& look) {
+    if (open_edges_.empty()) open_edges_ = open_edges(*model_.geometry);
+    std::uint64_t sum = 0;
+    for (std::uint32_t p = 0; p < open_edges_.size(); ++p)
+        if (is_solid(model_.solid, p) && look_of(look.parts, p) == PartLook::Shown) sum += open_edges_[p];
+    return sum == 0;
+}
+
+bool ModelDrawer::can_fill_cuts(const Look& look) {
+    // A reduced level keeps its rims, but nobody has counted them.
+    return !look.cuts.empty() && !buffers_.list().level && is_closed(look);
 }
 
 void ModelDrawer::prepare(const ModelDrawing& drawing, std::uint64_t most_bytes) {
@@ -96,12 +102,13 @@ void ModelDrawer::prepare(const ModelDrawing& drawing, std::uint64_t most_bytes)
     factor_im_ = is_moved && look.shape->imaginary ? look.shape->imaginary_factor : 0;
     is_coloured_ = look.field && buffers_.has_field();
     if (is_coloured_) palette_.set(look.colour);
-    std::vector<SeenFrom> eyes;
+    eyes_.clear();
     for (const Camera& eye : drawing.eyes) {
         const glm::mat4 model = eye.view * look.model_to_world;
-        eyes.push_back(seen_from(eye.projection * model, model));
+        eyes_.push_back(seen_from(eye.projection * model, model));
     }
-    hides_backs_ = can_hide_backs(drawing, eyes);
+    hides_backs_ = can_hide_backs(drawing, eyes_);
+    fills_cuts_ = can_fill_cuts(look);
     const ClusterList& list = clusters_of(buffers_.list().level);
     VisibleQuestion question{
         .clusters = list.clusters,
@@ -109,7 +116,7 @@ void ModelDrawer::prepare(const ModelDrawing& drawing, std::uint64_t most_bytes)
         .moves_im = list.moves.imaginary,
         .factor = factor_,
         .factor_im = factor_im_,
-        .eyes = eyes,
+        .eyes = eyes_,
         .parts = look.parts,
         .wanted = PartLook::Shown,
         .is_culled = drawing.is_culled,
@@ -119,16 +126,21 @@ void ModelDrawer::prepare(const ModelDrawing& drawing, std::uint64_t most_bytes)
     shown_ = find_visible(question);
     question.wanted = PartLook::Clear;
     clear_ = has_clear(look) ? find_visible(question) : Visible{};
-    send_commands(shown_, clear_);
+    question.wanted = PartLook::Shown;
+    question.solid = &model_.solid;
+    cut_ = fills_cuts_ ? find_visible(question) : Visible{};
+    send_commands();
     counts_.triangles = shown_.triangles + clear_.triangles;
     counts_.clusters = shown_.clusters + clear_.clusters;
     counts_.clusters_culled = shown_.culled + clear_.culled;
     if (look.ghost && !ghost_) make_ghost();
 }
 
-void ModelDrawer::send_commands(const Visible& shown, const Visible& clear) {
-    std::vector<DrawCommand> all(shown.commands);
-    all.insert(all.end(), clear.commands.begin(), clear.commands.end());
+/// One after the other: what is shown, what is clear, what is cut.
+void ModelDrawer::send_commands() {
+    std::vector<DrawCommand> all(shown_.commands);
+    for (const Visible* visible : {&clear_, &cut_})
+        all.insert(all.end(), visible->commands.begin(), visible->commands.end());
     if (all.empty()) return;
     if (all.size() > command_room_) {
         command_room_ = 2 * all.size();
@@ -137,6 +149,21 @@ void ModelDrawer::send_commands(const Visible& shown, const Visible& clear) {
     glNamedBufferSubData(
         commands_.get(), 0, static_cast<GLsizeiptr>(all.size() * sizeof(DrawCommand)), all.data()
     );
+}
+
+void ModelDrawer::draw_range(std::size_t first, const Visible& visible, EyePasses passes) {
+    if (visible.commands.empty()) return;
+    glBindVertexArray(buffers_.skin(static_cast<std::size_t>(passes.instances())));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.get());
+    const std::size_t offset = first * sizeof(DrawCommand);
+    glMultiDrawElementsIndirect(
+        GL_TRIANGLES,
+        GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(offset),
+        static_cast<GLsizei>(visible.commands.size()),
+        sizeof(DrawCommand)
+    );
+    ++counts_.draw_calls;
 }
 
 void ModelDrawer::set_shape(const Program& program, float factor, float factor_im) const {
@@ -152,7 +179,7 @@ void ModelDrawer::set_cuts(const Program& program, const Look& look) const {
     program.set("plane_count", static_cast<int>(count));
 }
 
-void ModelDrawer::draw(const ModelDrawing& drawing, const Program& skin, const Program& edges) {
+void ModelDrawer::draw(const ModelDrawing& drawing, const ModelPrograms& programs) {
     if (!buffers_.has_geometry()) return;
     const Look& look = *drawing.look;
     for (std::size_t i = 0; i < kMostCuts; ++i) {
@@ -165,22 +192,21 @@ void ModelDrawer::draw(const ModelDrawing& drawing, const Program& skin, const P
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glFrontFace(glm::determinant(glm::mat3(look.model_to_world)) < 0 ? GL_CW : GL_CCW);
-    draw_skin(drawing, skin);
+    draw_skin(drawing, programs.skin);
     glDisable(GL_CULL_FACE);
+    if (fills_cuts_) draw_caps(drawing, programs);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    if (look.edges) draw_edges(drawing, edges);
+    if (look.edges) draw_edges(drawing, programs.edges);
     if (!clear_.commands.empty()) {
-        skin.use();
-        skin.set("opacity", kClearOpacity);
-        glBindVertexArray(buffers_.skin(static_cast<std::size_t>(drawing.passes.instances())));
-        glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.get());
+        programs.skin.use();
+        programs.skin.set("opacity", kClearOpacity);
         glBindTextureUnit(kPaletteUnit, palette_.texture());
-        draw_commands(shown_.commands.size(), clear_.commands.size(), counts_);
+        draw_range(shown_.commands.size(), clear_, drawing.passes);
     }
-    if (look.ghost) draw_ghost(drawing, edges);
+    if (look.ghost) draw_ghost(drawing, programs.edges);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
     for (std::size_t i = 0; i < kMostCuts; ++i) glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
@@ -198,9 +224,7 @@ void ModelDrawer::draw_skin(const ModelDrawing& drawing, const Program& skin) {
     skin.set("opacity", 1.0F);
     skin.use();
     glBindTextureUnit(kPaletteUnit, palette_.texture());
-    glBindVertexArray(buffers_.skin(static_cast<std::size_t>(drawing.passes.instances())));
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands_.get());
-    draw_commands(0, shown_.commands.size(), counts_);
+    draw_range(0, shown_, drawing.passes);
 }
 
 float ModelDrawer::edge_opacity(const ModelDrawing& drawing) const {

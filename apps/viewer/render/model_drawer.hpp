@@ -31,6 +31,13 @@ struct ModelDrawing {
     bool is_culled = true;
 };
 
+struct ModelPrograms {
+    Program skin, edges, caps;
+    /// Says the eye to all of them, where each eye has a pass of its own.
+    void set_eye(int eye) const;
+};
+ModelPrograms make_model_programs(StereoPath path);
+
 /// Pairs of places.
 struct GhostLines {
     Buffer positions;
@@ -44,8 +51,8 @@ public:
 
     /// Sends what the look needs; then, what is worked out once a frame.
     void prepare(const ModelDrawing& drawing, std::uint64_t most_bytes);
-    /// Into the framebuffer that is bound. `pass` names the eye where each has a pass of its own.
-    void draw(const ModelDrawing& drawing, const Program& skin, const Program& edges);
+    /// Into the framebuffer that is bound.
+    void draw(const ModelDrawing& drawing, const ModelPrograms& programs);
 
     const ModelBuffers& buffers() const noexcept { return buffers_; }
 
@@ -60,10 +67,15 @@ private:
     };
     ClusterList& clusters_of(std::optional<std::size_t> level);
     bool can_hide_backs(const ModelDrawing& drawing, std::span<const SeenFrom> eyes);
-    void send_commands(const Visible& shown, const Visible& clear);
+    bool is_closed(const Look& look);
+    bool can_fill_cuts(const Look& look);
+    void send_commands();
+    void draw_range(std::size_t first, const Visible& visible, EyePasses passes);
     void set_shape(const Program& program, float factor, float factor_im) const;
     void set_cuts(const Program& program, const Look& look) const;
     void draw_skin(const ModelDrawing& drawing, const Program& skin);
+    void draw_caps(const ModelDrawing& drawing, const ModelPrograms& programs);
+    void draw_cap(const ModelDrawing& drawing, const ModelPrograms& programs, std::size_t plane);
     void draw_edges(const ModelDrawing& drawing, const Program& edges);
     void draw_ghost(const ModelDrawing& drawing, const Program& edges);
     void make_ghost();
@@ -74,11 +86,13 @@ private:
     ModelBuffers buffers_;
     Palette palette_;
     std::map<std::optional<std::size_t>, ClusterList> lists_;
-    std::optional<bool> closed_;
+    std::vector<std::uint64_t> open_edges_;  ///< Per part; empty: not asked yet.
     float diagonal_ = 1, typical_edge_ = 0;
     float factor_ = 0, factor_im_ = 0;
-    bool is_coloured_ = false, hides_backs_ = false;
-    Visible shown_, clear_;
+    bool is_coloured_ = false, hides_backs_ = false, fills_cuts_ = false;
+    Visible shown_, clear_, cut_;  ///< `cut_`: of solids, what may be cut.
+    std::vector<SeenFrom> eyes_;
+    VertexArray nothing_;
     Buffer commands_;
     std::size_t command_room_ = 0;
     std::optional<GhostLines> ghost_;

@@ -5,7 +5,6 @@
 #include "viewer/render/model_drawer.hpp"
 #include "viewer/render/overlay_drawer.hpp"
 #include "viewer/render/programs.hpp"
-#include "viewer/render/shaders.hpp"
 #include "viewer/render/targets.hpp"
 
 #include "feelem/error.hpp"
@@ -47,12 +46,11 @@ BothEyes matrices_of(const DrawInput& input) {
 struct Renderer::State {
     explicit State(const RendererOptions& wanted)
         : options(checked(wanted)), path(options.stereo.value_or(best_stereo())),
-          skin(make_program(skin_text(), path)), edges(make_program(edge_text(), path)), overlay(path),
-          eyes(make_buffer(sizeof(BothEyes), "eyes")) {}
+          programs(make_model_programs(path)), overlay(path), eyes(make_buffer(sizeof(BothEyes), "eyes")) {}
 
     RendererOptions options;
     StereoPath path;
-    Program skin, edges;
+    ModelPrograms programs;
     OverlayDrawer overlay;
     Buffer eyes;
     Targets targets;
@@ -84,10 +82,10 @@ void Renderer::State::draw_all(const DrawInput& input, const ModelDrawing& drawi
     glDepthMask(GL_TRUE);
     glClearColor(share(back[0]), share(back[1]), share(back[2]), 1);
     glClearDepth(1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     glBindBufferBase(GL_UNIFORM_BUFFER, kEyesBinding, eyes.get());
     overlay.draw_floor(input, instances, counts);
-    if (input.look && model) model->draw(drawing, skin, edges);
+    if (input.look && model) model->draw(drawing, programs);
     overlay.draw_panels(input, instances, counts);
     overlay.draw_marks(instances, counts);
     glDisable(GL_DEPTH_TEST);
@@ -118,8 +116,7 @@ void Renderer::draw(const DrawInput& input) {
     } else {
         for (std::size_t eye = 0; eye < input.eyes.size(); ++eye) {
             state.targets.bind(eye);
-            state.skin.set("only_eye", static_cast<int>(eye));
-            state.edges.set("only_eye", static_cast<int>(eye));
+            state.programs.set_eye(static_cast<int>(eye));
             state.overlay.set_eye(static_cast<int>(eye));
             state.draw_all(input, drawing);
         }

@@ -23,6 +23,19 @@ uniform vec4 planes[3];
 uniform int plane_count;
 )";
 
+// The stripes of cut material, which lie in its plane: the skin knows nothing of the values inside.
+constexpr std::string_view kHatch = R"(
+uniform float cap_hatch;
+vec3 hatched(vec3 at) {
+  float across = dot(at, vec3(0.62, 0.71, 0.53)) * cap_hatch;
+  float stripe = fract(across);
+  float soft = fwidth(across);
+  // Too fine to be seen as stripes: their mean.
+  float dark = soft > 0.7 ? 0.18 : 1.0 - smoothstep(0.18 - soft, 0.18 + soft, min(stripe, 1.0 - stripe) * 2.0);
+  return mix(vec3(0.66, 0.68, 0.69), vec3(0.46, 0.48, 0.49), dark);
+}
+)";
+
 constexpr std::string_view kSkinVertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -53,8 +66,7 @@ void place(EyeMatrices eye) {
 )";
 
 // Colours leave as the sRGB bytes of the palette: no lighting, no tone mapping, no conversion in between.
-// Where the nearest that is left of a solid is seen from behind, the eye looks into the material: plain, with
-// stripes that lie on the plane there, because the skin knows nothing of the values inside.
+// Where the nearest that is left of a solid is seen from behind, the eye looks into the material.
 constexpr std::string_view kSkinFragment = R"(
 uniform sampler2D palette;
 uniform float palette_size;
@@ -72,7 +84,6 @@ uniform float opacity;
 uniform bool isolines;
 uniform float limit;
 uniform bool has_limit;
-uniform float cap_hatch;
 const float SLACK = 3.0e-5;
 float symmetric_log(float v) { return sign(v) * log2(1.0 + abs(v) / (1.0e-3 * magnitude)); }
 float place_of(float v) {
@@ -97,12 +108,7 @@ vec3 cap_colour() {
     if (down < 0.0) enters = max(enters, (planes[i].w - dot(planes[i].xyz, eye)) / down);
   }
   vec3 at = eye + along * clamp(enters, 0.0, 1.0);
-  float across = dot(at, vec3(0.62, 0.71, 0.53)) * cap_hatch;
-  float stripe = fract(across);
-  float soft = fwidth(across);
-  // Too fine to be seen as stripes: their mean.
-  float dark = soft > 0.7 ? 0.18 : 1.0 - smoothstep(0.18 - soft, 0.18 + soft, min(stripe, 1.0 - stripe) * 2.0);
-  return mix(vec3(0.66, 0.68, 0.69), vec3(0.46, 0.48, 0.49), dark);
+  return hatched(at);
 }
 // 1 on a line where the quantity passes a whole number, about `width` pixels wide.
 float line_at(float quantity, float slope, float width) {
@@ -167,10 +173,43 @@ uniform vec4 line_colour;
 vec4 colour_here() { return line_colour; }
 )";
 
+constexpr std::array kCapVaryings{Varying{"", "vec3", "place"}};
+
+// The plane of a cut, as far as the model reaches.
+constexpr std::string_view kCapVertex = R"(
+uniform vec3 cap_middle;
+uniform vec3 cap_right;
+uniform vec3 cap_up;
+void place(EyeMatrices eye) {
+  vec2 corner = 2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0;
+  to.place = cap_middle + corner.x * cap_right + corner.y * cap_up;
+  for (int i = 0; i < 3; ++i) gl_ClipDistance[i] = planes[i].w - dot(planes[i].xyz, to.place);
+  gl_Position = eye.projection * eye.model * vec4(to.place, 1.0);
+}
+)";
+
+constexpr std::string_view kCapFragment = R"(
+vec4 colour_here() { return vec4(hatched(from.place), 1.0); }
+)";
+
+// Derivatives are known in fragments alone.
+const std::string& skin_fragment() {
+    static const std::string text = std::string(kHatch) + std::string(kSkinFragment);
+    return text;
+}
+const std::string& cap_fragment() {
+    static const std::string text = std::string(kHatch) + std::string(kCapFragment);
+    return text;
+}
+
 }  // namespace
 
 ProgramText skin_text() {
-    return {"skin", kSkinVaryings, false, true, kCuts, kSkinVertex, kSkinFragment};
+    return {"skin", kSkinVaryings, false, true, kCuts, kSkinVertex, skin_fragment()};
+}
+
+ProgramText cap_text() {
+    return {"caps", kCapVaryings, false, true, kCuts, kCapVertex, cap_fragment()};
 }
 
 ProgramText edge_text() {

@@ -7,6 +7,7 @@
 namespace feelem::viewer {
 
 ProgramText skin_text();   ///< Triangles by their values.
+ProgramText cap_text();    ///< Cut material.
 ProgramText edge_text();   ///< Lines of the model.
 ProgramText mark_text();   ///< Dots, rings and lines in the room.
 ProgramText label_text();  ///< Letters from the atlas, and plates behind them.

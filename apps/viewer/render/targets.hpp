@@ -30,6 +30,8 @@ private:
     Framebuffer all_;
     std::array<Framebuffer, 2> layers_, pictures_;
     Framebuffer handed_over_;  ///< For a texture of somebody else.
+    Program depth_copier_;
+    VertexArray nothing_;
 };
 
 }  // namespace feelem::viewer

@@ -29,11 +29,16 @@ PartLook look_of(std::span<const PartLook> parts, std::uint32_t part) {
     return part < parts.size() ? parts[part] : PartLook::Shown;
 }
 
+bool is_solid(const std::vector<bool>& solid, std::uint32_t part) {
+    return part < solid.size() && solid[part];
+}
+
 Visible find_visible(const VisibleQuestion& question) {
     Visible out;
     for (std::size_t i = 0; i < question.clusters.size(); ++i) {
         const Cluster& cluster = question.clusters[i];
         if (look_of(question.parts, cluster.part) != question.wanted) continue;
+        if (question.solid && !is_solid(*question.solid, cluster.part)) continue;
         ++out.clusters;
         if (question.is_culled && is_culled(question, i)) {
             ++out.culled;

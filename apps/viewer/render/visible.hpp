@@ -25,8 +25,9 @@ struct VisibleQuestion {
     std::span<const SeenFrom> eyes{};
     std::span<const PartLook> parts{};  ///< Empty: all are shown.
     PartLook wanted = PartLook::Shown;
-    bool is_culled = true;     ///< What is out of sight is left out.
-    bool hides_backs = false;  ///< And what turns its back.
+    const std::vector<bool>* solid = nullptr;  ///< Given: parts that are not solid are left out.
+    bool is_culled = true;                     ///< What is out of sight is left out.
+    bool hides_backs = false;                  ///< And what turns its back.
     std::uint32_t instances = 1;
 };
 struct Visible {
@@ -35,6 +36,7 @@ struct Visible {
 };
 Visible find_visible(const VisibleQuestion& question);
 
+bool is_solid(const std::vector<bool>& solid, std::uint32_t part);
 PartLook look_of(std::span<const PartLook> parts, std::uint32_t part);
 
 }  // namespace feelem::viewer

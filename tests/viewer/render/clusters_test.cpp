@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace feelem::viewer::tests {
 namespace {
@@ -90,6 +91,37 @@ TEST(Clusters, are_left_out_only_when_every_triangle_turns_away_or_stands_outsid
     EXPECT_GT(outside, 10);
 }
 
+TEST(Clusters, hold_what_they_hold_also_when_it_is_moved) {
+    const SmallModel model = ball_model(20);
+    const Geometry& geometry = model.geometry;
+    std::vector<float> vectors;
+    for (const auto& [x, y, z] : geometry.positions) vectors.insert(vectors.end(), {y * y, 3 * x, x * z - y});
+    vectors[7] = std::numeric_limits<float>::quiet_NaN();
+    const auto clusters = make_clusters(geometry, geometry.triangles);
+    const auto moves = cluster_moves(geometry.triangles, clusters, vectors);
+
+    ASSERT_EQ(moves.size(), clusters.size());
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+        const Cluster& cluster = clusters[i];
+        for (std::uint32_t t = cluster.first; t < cluster.first + cluster.triangles; ++t) {
+            for (const std::uint32_t v : geometry.triangles[t]) {
+                const std::size_t at_vector = 3 * std::size_t{v};
+                const glm::vec3 move(
+                    vectors[at_vector], at_vector == 6 ? 0 : vectors[at_vector + 1], vectors[at_vector + 2]
+                );
+                EXPECT_LE(glm::distance(move, moves[i].middle), moves[i].radius + 1e-6F);
+            }
+        }
+        // Far enough to be out of sight with the radius at rest, but not with what the shape adds to it.
+        const glm::mat4 view = glm::translate(glm::mat4(1), -(cluster.centre + 2.0F * moves[i].middle));
+        const float side = cluster.radius + moves[i].radius;
+        const SeenFrom seen = seen_from(glm::ortho(side, side + 9, -9.0F, 9.0F, -9.0F, 9.0F) * view, view);
+        const VisibleQuestion question{
+            .clusters = {&cluster, 1}, .moves = {&moves[i], 1}, .factor = 2, .eyes = {&seen, 1}};
+        EXPECT_EQ(find_visible(question).culled, moves[i].radius > 1e-4F ? 0U : 1U);
+    }
+}
+
 TEST(Clusters, neighbours_that_are_seen_become_one_command) {
     SmallModel model = box_model({1, 1, 1}, 10);
     append(model, model);
@@ -105,6 +137,12 @@ TEST(Clusters, neighbours_that_are_seen_become_one_command) {
     EXPECT_EQ(all.triangles, model.geometry.triangles.size());
 }
 
+bool is_closed(const Geometry& geometry) {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t part : open_edges(geometry)) sum += part;
+    return sum == 0;
+}
+
 TEST(Closed, surfaces_are_told_from_open_ones_and_from_ones_with_a_turned_triangle) {
     SmallModel model = box_model({1, 1, 1}, 3);
     EXPECT_TRUE(is_closed(model.geometry));
@@ -113,8 +151,23 @@ TEST(Closed, surfaces_are_told_from_open_ones_and_from_ones_with_a_turned_triang
     std::swap(model.geometry.triangles[7][0], model.geometry.triangles[7][1]);
     EXPECT_FALSE(is_closed(model.geometry));
     std::swap(model.geometry.triangles[7][0], model.geometry.triangles[7][1]);
-    model.geometry.triangles.pop_back();
+    --model.geometry.parts[0].triangles;
     EXPECT_FALSE(is_closed(model.geometry));
+}
+
+TEST(Closed, parts_that_share_a_side_are_closed_together_and_open_alone) {
+    // A ball in two parts: its upper and its lower half.
+    SmallModel model = ball_model(12);
+    Geometry& g = model.geometry;
+    PartRange upper = g.parts[0], lower = g.parts[0];
+    upper.triangles = lower.first_triangle = upper.triangles / 2;
+    lower.triangles -= upper.triangles;
+    g.parts = {upper, lower};
+
+    const auto sums = open_edges(g);
+    EXPECT_NE(sums[0], 0U);
+    EXPECT_NE(sums[1], 0U);
+    EXPECT_EQ(sums[0] + sums[1], 0U);
 }
 
 TEST(FeatureEdges, are_a_boxs_twelve_sides_and_the_rim_of_a_hole) {

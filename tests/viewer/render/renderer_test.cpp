@@ -191,7 +191,7 @@ TEST_F(Renderers, a_triangle_with_a_missing_corner_is_missing_whole) {
 TEST_F(Renderers, what_is_out_of_sight_is_left_out_and_not_missed) {
     SmallModel model = ball_model(90);
     model.add_field(0, [](const auto& p) { return 0.5F + 0.5F * p[1]; });
-    ASSERT_TRUE(is_closed(model.geometry));
+    ASSERT_EQ(open_edges(model.geometry).at(0), 0U);
     Look look = plain_look();
     look.shade_floor = 0.5F;
     const Camera eye = looking({0.9F, 0.4F, 1.3F}, {0.9F, 0.3F, 0});
@@ -346,6 +346,77 @@ TEST_F(Renderers, a_cut_solid_shows_material_and_a_cut_shell_its_inside) {
     EXPECT_GT(solid[0], 110);
     model.solid = {false};
     EXPECT_EQ(middle(), colour_of(0.5, look.range, look.colour));
+}
+
+bool is_grey(const Rgb& colour) {
+    return std::abs(colour[0] - colour[1]) < 8 && std::abs(colour[1] - colour[2]) < 8 && colour[0] > 110 &&
+           colour[0] < 180;
+}
+
+TEST_F(Renderers, what_is_left_between_two_cuts_is_not_seen_through) {
+    SmallModel model = box_model({1, 1, 1}, 2);
+    model.add_field(0, [](const auto&) { return 0.5F; });
+    Look look = plain_look();
+    // A slab; the line of sight enters by one plane and leaves by the other, and meets no skin.
+    look.cuts = {{{0, 0, 1}, 0.1F}, {{0, 0, -1}, 0.1F}};
+    const Camera eye = looking({0.2F, 0.1F, 2}, {0, 0, 0});
+    Renderer renderer;
+    renderer.set_model(model.drawn());
+    draw_whole(renderer, input_of({&eye, 1}, look));
+
+    EXPECT_TRUE(is_grey(pixel(renderer.read(0), 80, 60)));
+    EXPECT_EQ(pixel(renderer.read(0), 5, 5), DrawInput{}.background);
+}
+
+TEST_F(Renderers, a_cut_through_a_hollow_body_is_filled_where_material_is_alone) {
+    // A ball in a box, with its inside turned out: a cavity.
+    SmallModel model = box_model({3, 3, 3}, 2), hole = ball_model(30);
+    for (auto& triangle : hole.geometry.triangles) std::swap(triangle[0], triangle[1]);
+    append(model, hole);
+    model.geometry.parts[0].vertices += model.geometry.parts[1].vertices;
+    model.geometry.parts[0].triangles += model.geometry.parts[1].triangles;
+    model.geometry.parts.pop_back();
+    model.solid = {true};
+    model.add_field(0, [](const auto&) { return 0.5F; });
+    Look look = plain_look();
+    look.cuts = {{{0, 0, 1}, 0.2F}};
+    const Camera eye = looking({0, 0, 7}, {0, 0, 0});
+    const Mark behind{Mark::Kind::Dot, {1.2F, 0, 0}, {0, 0, 1}, 0.1F, {255, 0, 0}};
+    Renderer renderer;
+    renderer.set_model(model.drawn());
+    DrawInput input = input_of({&eye, 1}, look);
+    input.marks = {&behind, 1};
+    draw_whole(renderer, input);
+    const Pixels picture = renderer.read(0);
+
+    EXPECT_EQ(pixel(picture, 80, 60), colour_of(0.5, look.range, look.colour)) << "the cavity's wall";
+    EXPECT_TRUE(is_grey(pixel(picture, 80, 35)));
+    // 1.2 to the right is 29 pixels; the mark lies within the material, behind the plane.
+    const Rgb hidden = pixel(picture, 80 + 29, 60);
+    EXPECT_LT(hidden[0] - hidden[1], 90);
+    EXPECT_GT(hidden[0] - hidden[1], 15);
+}
+
+TEST_F(Renderers, where_a_solid_is_open_no_material_is_made_up) {
+    // Its side +x was shared with a neighbour that is gone: the third side that was added.
+    SmallModel model = box_model({1, 1, 1}, 1);
+    Geometry& g = model.geometry;
+    g.triangles.erase(g.triangles.begin() + 4, g.triangles.begin() + 6);
+    g.parts[0].triangles = 10;
+    model.add_field(0, [](const auto&) { return 0.5F; });
+    Look look = plain_look();
+    look.cuts = {{{0, 0, 1}, 0.0F}};
+    // The line of sight meets the plane beside the box, enters by the open side and leaves by the bottom;
+    // before it does, it meets the mark.
+    const Camera eye = looking({1.4F, 0, 0.6F}, {0.8F, 0, 0}, 20);
+    const Mark within{Mark::Kind::Dot, {0.45F, 0, -0.35F}, {0, 0, 1}, 0.04F, {255, 0, 0}};
+    Renderer renderer;
+    renderer.set_model(model.drawn());
+    DrawInput input = input_of({&eye, 1}, look);
+    input.marks = {&within, 1};
+    draw_whole(renderer, input);
+
+    EXPECT_EQ(pixel(renderer.read(0), 80, 60), within.colour) << "the air before the open side is filled";
 }
 
 TEST_F(Renderers, a_level_is_drawn_from_its_own_list_and_the_full_one_comes_back_at_no_cost) {
