@@ -148,8 +148,8 @@ void Actions::read(XrSession session, Side side, const Profile* profile, HandInp
 }
 
 void read_pad_as_stick(HandInput& hand) {
-    constexpr float kMiddle = 0.5F;
-    const bool is_rim = glm::length(hand.stick) > kMiddle;
+    constexpr float middle = 0.5F;
+    const bool is_rim = glm::length(hand.stick) > middle;
     if (!hand.stick_pressed || !is_rim) hand.stick = glm::vec2(0);
     hand.stick_pressed = hand.stick_pressed && !is_rim;
 }

@@ -65,9 +65,9 @@ bool Session::locate_eyes(XrTime time, XrFrame& frame) {
         ),
         "xrLocateViews"
     );
-    constexpr XrViewStateFlags kBoth = XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_VALID_BIT;
+    constexpr XrViewStateFlags both = XR_VIEW_STATE_POSITION_VALID_BIT | XR_VIEW_STATE_ORIENTATION_VALID_BIT;
     // A headset that loses its way keeps the last view: a picture that stands still is better than none.
-    if (count == views.size() && (state.viewStateFlags & kBoth) == kBoth) {
+    if (count == views.size() && (state.viewStateFlags & both) == both) {
         views_ = views;
         has_views_ = true;
     }

@@ -108,8 +108,8 @@ bool GlCurrent::restore() const {
 int drain_gl_errors() {
     int count = 0;
     // A lost context answers with errors for ever.
-    constexpr int kMost = 32;
-    while (count < kMost && glGetError() != GL_NO_ERROR) ++count;
+    constexpr int most = 32;
+    while (count < most && glGetError() != GL_NO_ERROR) ++count;
     return count;
 }
 

@@ -88,11 +88,11 @@ std::optional<Joints> HandTrackers::locate(Side side, XrSpace space, XrTime time
     info.time = time;
     must(locate_(tracker, &info, &locations), "xrLocateHandJointsEXT");
     if (!locations.isActive) return {};
-    constexpr XrSpaceLocationFlags kBoth =
+    constexpr XrSpaceLocationFlags both =
         XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT;
     Joints joints;
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        if ((places[i].locationFlags & kBoth) != kBoth) return {};
+        if ((places[i].locationFlags & both) != both) return {};
         joints[i] = from_xr(places[i].pose);
     }
     return joints;

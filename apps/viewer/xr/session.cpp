@@ -72,9 +72,9 @@ Space::~Space() {
 std::optional<Pose> Space::locate(const Space& base, XrTime time) const {
     auto location = typed<XrSpaceLocation>(XR_TYPE_SPACE_LOCATION);
     must(xrLocateSpace(handle_, base.handle_, time, &location), "xrLocateSpace");
-    constexpr XrSpaceLocationFlags kBoth =
+    constexpr XrSpaceLocationFlags both =
         XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT;
-    return (location.locationFlags & kBoth) == kBoth ? std::optional(from_xr(location.pose)) : std::nullopt;
+    return (location.locationFlags & both) == both ? std::optional(from_xr(location.pose)) : std::nullopt;
 }
 
 OwnedSession::~OwnedSession() {
