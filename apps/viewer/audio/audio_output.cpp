@@ -16,10 +16,10 @@ namespace feelem::viewer {
 
 namespace {
 
-constexpr int kFramesACall = 256;              // 5.3 ms.
-constexpr double kLookAgainAfter = 2;          // Seconds between two attempts to have a device.
-constexpr double kLongestGap = 0.5;            // Of frames; sound of a longer one is left out.
-constexpr std::size_t kKept = 2 * kSoundRate;  // One second between two calls of `take`.
+constexpr int kFramesACall = 256;                  // 5.3 ms.
+constexpr double kLookAgainAfter = 2;              // Seconds between two attempts to have a device.
+constexpr double kLongestGap = 0.5;                // Of frames; sound of a longer one is left out.
+constexpr std::size_t kKept = 2 * 4 * kSoundRate;  // Four seconds between two calls of `take`.
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -144,9 +145,18 @@ TEST(AudioOutput, what_reaches_the_device_is_what_was_made) {
     const std::string bytes = read_file(file);
     Samples played(bytes.size() / sizeof(float));
     std::memcpy(played.data(), bytes.data(), played.size() * sizeof(float));
-    ASSERT_GE(played.size(), 2 * made.size());
+    // SDL may play a little silence before it asks for the first time.
+    const auto first_sound = [](const Samples& samples) {
+        return static_cast<std::size_t>(
+            std::find_if(samples.begin(), samples.end(), [](float x) { return x != 0; }) - samples.begin()
+        );
+    };
+    const std::size_t from = first_sound(made), played_from = first_sound(played);
+    ASSERT_EQ(played_from % 2, 0U);
     ASSERT_GE(made.size(), 24000U);
-    for (std::size_t i = 0; i < made.size(); ++i) ASSERT_EQ(played[2 * i], made[i]) << i;
+    ASSERT_GE(played.size() - played_from, 2 * (made.size() - from));
+    for (std::size_t i = from; i < made.size(); ++i)
+        ASSERT_EQ(played[played_from + 2 * (i - from)], made[i]) << i;
 }
 
 TEST(AudioOutput, without_a_device_the_clock_alone_decides_what_is_made) {
