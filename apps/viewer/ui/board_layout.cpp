@@ -118,23 +118,22 @@ void draw_board(Pen& pen, Board board, glm::ivec2 pixels) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, pen.points(9));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, pen.points(alarms ? 3 : 1));
     ImGui::PushStyleColor(ImGuiCol_Border, alarms ? pen.colours.alarm : pen.colours.line);
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({static_cast<float>(pixels.x), static_cast<float>(pixels.y)});
     const bool is_panel = board == Board::Panel;
-    const ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-    // The card is as high as what it says.
     const bool is_card = board == Board::Card;
-    if (is_card)
-        ImGui::SetNextWindowSizeConstraints(
-            {static_cast<float>(pixels.x), 0}, {static_cast<float>(pixels.x), static_cast<float>(pixels.y)}
-        );
+    const ImVec2 size{static_cast<float>(pixels.x), static_cast<float>(pixels.y)};
+    if (is_card) {
+        // As high as what it says, and down to the place that it stands above.
+        ImGui::SetNextWindowPos({0, size.y}, 0, {0, 1});
+        ImGui::SetNextWindowSizeConstraints({size.x, 0}, size);
+    } else {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize(size);
+    }
+    const ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     ImGui::Begin("board", nullptr, kWholeBoard | still | (is_card ? ImGuiWindowFlags_AlwaysAutoResize : 0));
     if (is_panel) panel_board(pen);
     pen.group = "legend/";
-    if (board == Board::Legend) {
-        const float words = pen.points(165);
-        legend_panel(pen, static_cast<float>(pixels.y) - words);
-    }
+    if (board == Board::Legend) legend_panel(pen, ImGui::GetContentRegionAvail().y);
     if (is_card && pen.model.card) card_panel(pen, *pen.model.card);
     ImGui::End();
     ImGui::PopStyleColor();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace feelem::viewer {
@@ -37,6 +38,10 @@ std::string value_text(const UiCardRow& row) {
     return (row.state == "interpolated" ? "~" : "") + with_unit(row.value, row.unit);
 }
 
+std::string node_text(const UiCardRow& row) {
+    return row.node_value ? number_text(static_cast<double>(*row.node_value)) : "–";
+}
+
 void icons_of(const Pen& pen, const UiCardRow& row) {
     const float side = ImGui::GetFontSize();
     for (const Sense sense : row.senses) {
@@ -57,9 +62,7 @@ void card_row(Pen& pen, const UiCardRow& row) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     icons_of(pen, row);
-    ImGui::PushTextWrapPos(0);
-    text(row.label);
-    ImGui::PopTextWrapPos();
+    lines(row.label);
     ImGui::TableNextColumn();
     const bool is_missing = std::isnan(row.value);
     const ImU32 ink = row.beyond ? pen.colours.alarm : is_missing ? pen.colours.soft : pen.colours.ink;
@@ -67,15 +70,27 @@ void card_row(Pen& pen, const UiCardRow& row) {
     if (!is_missing && row.bound > 0)
         right_cell(fmt::format("± {}", bound_text(row.bound)), pen.colours.soft, pen.fonts.small);
     ImGui::TableNextColumn();
-    const std::string node = row.node_value ? number_text(static_cast<double>(*row.node_value)) : "–";
-    right_cell(node, pen.colours.ink, pen.fonts.plain);
+    right_cell(node_text(row), pen.colours.ink, pen.fonts.plain);
+}
+
+/// Of the columns of numbers: heads and values stand in tables of their own.
+std::array<float, 2> widths_of(const Pen& pen, const UiCard& card, const std::string& node) {
+    std::array<float, 2> out{};
+    ImGui::PushFont(pen.fonts.small);
+    out[1] = width_of("node " + node);
+    ImGui::PopFont();
+    for (const UiCardRow& row : card.rows) {
+        ImGui::PushFont(pen.fonts.bold);
+        out[0] = std::max(out[0], width_of(value_text(row)));
+        ImGui::PopFont();
+        out[1] = std::max(out[1], width_of(node_text(row)));
+    }
+    return {out[0] + pen.points(4), out[1] + pen.points(4)};
 }
 
 void line_of_limit(const Pen& pen, const UiCardRow& row) {
     if (const std::string alarm = alarm_text(row); !alarm.empty()) {
-        ImGui::PushTextWrapPos(0);
-        text_in(pen.colours.alarm, fmt::format("{} {}", row.label, alarm));
-        ImGui::PopTextWrapPos();
+        lines_in(pen.colours.alarm, fmt::format("{} {}", row.label, alarm));
         return;
     }
     if (const auto used = utilisation(row.value, row.limit, row.limit_is_upper))
@@ -90,19 +105,26 @@ void line_of_limit(const Pen& pen, const UiCardRow& row) {
 
 void card_panel(Pen& pen, const UiCard& card) {
     const std::string node = id_text(card.node);
-    if (ImGui::BeginTable("card", 3, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX)) {
+    const std::array<float, 2> widths = widths_of(pen, card, node);
+    const auto table = [&](const char* name, ImGuiTableFlags flags, auto rows) {
+        if (!ImGui::BeginTable(name, 3, flags)) return;
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
-        ImGui::TableSetupColumn("here", ImGuiTableColumnFlags_WidthFixed);
-        ImGui::TableSetupColumn("node", ImGuiTableColumnFlags_WidthFixed);
+        for (const float width : widths) ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width);
+        rows();
+        ImGui::EndTable();
+    };
+    table("heads", ImGuiTableFlags_None, [&] {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TableNextColumn();
         right_cell("here", pen.colours.soft, pen.fonts.small);
         ImGui::TableNextColumn();
         right_cell("node " + node, pen.colours.soft, pen.fonts.small);
+    });
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+    table("values", ImGuiTableFlags_BordersInnerH, [&] {
         for (const UiCardRow& row : card.rows) card_row(pen, row);
-        ImGui::EndTable();
-    }
+    });
     for (const UiCardRow& row : card.rows) line_of_limit(pen, row);
     small_text(pen, fmt::format("node {} · element {}", node, card.element), pen.colours.ink);
     small_lines(

@@ -13,9 +13,9 @@ namespace feelem::viewer {
 namespace {
 
 constexpr float kTopHeight = 48, kBottomHeight = 46;
-constexpr float kLeftShare = 0.29F, kLeftLeast = 250, kLeftMost = 372;
+constexpr float kLeftShare = 0.3F, kLeftLeast = 280, kLeftMost = 384;
 constexpr float kRightShare = 0.155F, kRightLeast = 150, kRightMost = 200;
-constexpr float kCardWidth = 330;
+constexpr float kCardWidth = 350, kDeformationWidth = 400;
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
@@ -32,8 +32,10 @@ bool begin_at(const char* name, const UiRect& rect, ImGuiWindowFlags flags) {
 }
 
 void line_between(const Pen& pen, ImVec2 from, ImVec2 to) {
-    ImGui::GetForegroundDrawList();
-    ImGui::GetWindowDrawList()->AddLine(from, to, pen.colours.line, std::max(1.0F, std::round(pen.unit)));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRectFullScreen();
+    list.AddLine(from, to, pen.colours.line, std::max(1.0F, std::round(pen.unit)));
+    list.PopClipRect();
 }
 
 /// The program's sign: three bars.
@@ -61,15 +63,16 @@ void top_bar(Pen& pen, const UiRect& rect) {
     mark(pen);
     ImGui::SameLine(0, pen.points(12));
     ImGui::BeginGroup();
+    ImGui::SetCursorPosY(pen.points(14));
     ImGui::PushFont(pen.fonts.title);
     text(pen.model.title.empty() ? "Feelem" : pen.model.title);
     ImGui::PopFont();
     ImGui::EndGroup();
     ImGui::SameLine(0, pen.points(12));
-    ImGui::SetCursorPosY(pen.points(15));
+    ImGui::SetCursorPosY(pen.points(16));
     soft_text(pen, pen.model.solver);
-    constexpr int kTools = 7;
-    const float tools = kTools * pen.points(32) + pen.points(12);
+    constexpr int kTools = 6;
+    const float tools = kTools * pen.points(32) + pen.points(20);
     const std::string& headset = pen.model.headset.what;
     ImGui::PushFont(pen.fonts.small);
     const float words = width_of(headset) + pen.points(30);
@@ -115,11 +118,23 @@ void top_bar(Pen& pen, const UiRect& rect) {
     ImGui::End();
 }
 
+float slider_width(const Pen& pen, const UiRect& bottom) {
+    return std::clamp(bottom.width * 0.14F, pen.points(60), pen.points(180));
+}
+float list_width(const Pen& pen, const UiRect& bottom) {
+    return std::clamp(bottom.width * 0.24F, pen.points(90), pen.points(240));
+}
+/// Beside the steps; else it is a section on the left.
+bool deformation_fits(const Pen& pen, const UiRect& bottom) {
+    const float steps = pen.points(3 * 32 + 40) + slider_width(pen, bottom) + list_width(pen, bottom);
+    return bottom.width > steps + pen.points(kDeformationWidth);
+}
+
 std::string count_note(std::size_t count) {
     return count == 0 ? std::string() : fmt::format("{}", count);
 }
 
-void left_column(Pen& pen, const UiRect& rect) {
+void left_column(Pen& pen, const UiRect& rect, bool with_deformation) {
     const UiModel& model = pen.model;
     begin_at("left", rect, 0);
     const auto section =
@@ -135,6 +150,7 @@ void left_column(Pen& pen, const UiRect& rect) {
     ImGui::Dummy({0, pen.points(4)});
     const bool needs_help = !model.headset.todo.empty() && !model.headset.is_running;
     if (needs_help) section("headset", "Headset", "", true, headset_panel);
+    if (with_deformation) section("shape", "Deformation", "", true, deformation_panel);
     section("limits", "Limits", "", false, limits_panel);
     section("parts", "Parts", count_note(model.parts.size()), model.parts.size() > 1, parts_panel);
     section("section", "Section", count_note(model.cuts.size()), false, cuts_panel);
@@ -152,8 +168,7 @@ void left_column(Pen& pen, const UiRect& rect) {
 void right_column(Pen& pen, const UiRect& rect) {
     begin_at("right", rect, 0);
     pen.group = "legend/";
-    const float words = pen.points(200);
-    legend_panel(pen, std::clamp(rect.height - words, pen.points(140), pen.points(440)));
+    legend_panel(pen, ImGui::GetContentRegionAvail().y - pen.points(44));
     ImGui::Dummy({0, pen.points(4)});
     legend_settings(pen);
     line_between(pen, {rect.x, rect.y}, {rect.x, rect.y + rect.height});
@@ -164,14 +179,11 @@ void bottom_bar(Pen& pen, const UiRect& rect) {
     begin_at("bottom", rect, kStill);
     pen.group = "";
     ImGui::SetCursorPosY(pen.points(8));
-    const float slider = std::clamp(rect.width * 0.14F, pen.points(60), pen.points(180));
-    const float list = std::clamp(rect.width * 0.24F, pen.points(90), pen.points(240));
     ImGui::BeginGroup();
-    steps_panel(pen, list, slider);
+    steps_panel(pen, list_width(pen, rect), slider_width(pen, rect));
     ImGui::EndGroup();
-    const float form = pen.points(360);
-    if (rect.width > form + ImGui::GetItemRectSize().x + pen.points(40)) {
-        ImGui::SameLine(rect.width - form);
+    if (deformation_fits(pen, rect)) {
+        ImGui::SameLine(rect.width - pen.points(kDeformationWidth));
         deformation_panel(pen);
     }
     line_between(pen, {rect.x, rect.y}, {rect.x + rect.width, rect.y});
@@ -211,8 +223,8 @@ void card_sheet(Pen& pen, const UiRect& stage) {
 }
 
 void views_sheet(Pen& pen, const UiRect& stage) {
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, 0);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    const Sheet sheet(pen, pen.colours.line, pen.points(1));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pen.points(4), pen.points(4)});
     const float below = stage.y + stage.height - pen.points(10);
     ImGui::SetNextWindowPos({stage.x + pen.points(10), below}, 0, {0, 1});
     ImGui::Begin("views", nullptr, kFloating);
@@ -220,7 +232,6 @@ void views_sheet(Pen& pen, const UiRect& stage) {
     views_panel(pen);
     ImGui::End();
     ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
 }
 
 void said_at_the_edge(Pen& pen, const UiRect& stage) {
@@ -230,7 +241,7 @@ void said_at_the_edge(Pen& pen, const UiRect& stage) {
         ImGui::SetNextWindowPos({middle, stage.y + pen.points(14)}, 0, {0.5F, 0});
         ImGui::Begin("trouble", nullptr, kFloating | ImGuiWindowFlags_NoInputs);
         ImGui::PushTextWrapPos(stage.width * 0.8F);
-        text(pen.model.trouble);
+        ImGui::TextUnformatted(pen.model.trouble.c_str());
         ImGui::PopTextWrapPos();
         ImGui::End();
     }
@@ -282,13 +293,13 @@ DeskRects desk_rects(glm::ivec2 pixels, float unit) {
         .top = {0, 0, width, top},
         .left = {0, top, left, height - top},
         .stage = {left, top, wide, high},
-        .right = {left + wide, top, right, height - top},
-        .bottom = {left, top + high, wide, bottom}};
+        .right = {left + wide, top, right, high},
+        .bottom = {left, top + high, wide + right, bottom}};
 }
 
 void draw_desk(Pen& pen, glm::ivec2 pixels) {
     const DeskRects rects = desk_rects(pixels, pen.unit);
-    left_column(pen, rects.left);
+    left_column(pen, rects.left, !deformation_fits(pen, rects.bottom));
     right_column(pen, rects.right);
     bottom_bar(pen, rects.bottom);
     top_bar(pen, rects.top);

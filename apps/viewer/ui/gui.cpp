@@ -22,10 +22,10 @@ namespace {
 constexpr float kPlainPoints = 15, kSmallPoints = 13.4F, kTitlePoints = 17.5F;
 /// On boards: a capital of 0.729 / 1.164 of the line is 10.5 mm high, half a degree at 1.2 m.
 constexpr float kBoardPixelsAMetre = 1829;
-constexpr float kBoardLetters = 31, kBoardTitle = 34;
+constexpr float kBoardLetters = 32, kBoardTitle = 36;
 constexpr float kLeastSeconds = 1e-4F, kMostSeconds = 0.2F;
 
-constexpr std::array<glm::ivec2, kBoards> kBoardPixels{{{1024, 1130}, {512, 940}, {700, 480}}};
+constexpr std::array<glm::ivec2, kBoards> kBoardPixels{{{1024, 1130}, {512, 940}, {780, 680}}};
 
 ImGuiKey key_of(PanelKey key) {
     constexpr std::array<ImGuiKey_, 12> kKeys{

@@ -105,9 +105,10 @@ void paint_labels(const Pen& pen, const Bar& bar, const UiLegend& legend, std::o
     const std::vector<std::string> texts = axis_texts(values);
     const std::size_t last = positions.size() - 1;
     const std::size_t stride = label_stride(positions.size(), bar.size.y);
+    const double too_near = std::max(kTooNear, 1.1 * static_cast<double>(ImGui::GetFontSize() / bar.size.y));
     for (std::size_t i = 0; i <= last; ++i) {
         const bool is_spare = i != last && (i % stride != 0 || last - i < stride);
-        const bool makes_room = limit && std::abs(positions[i] - *limit) <= kTooNear;
+        const bool makes_room = limit && std::abs(positions[i] - *limit) <= too_near;
         if (!is_spare && !makes_room) paint_label(pen, bar, positions[i], texts[i], pen.colours.ink);
     }
     if (!limit) return;
@@ -168,6 +169,15 @@ void limit_outside(Pen& pen, const UiLegend& legend) {
     );
 }
 
+/// Of what stands under the scale.
+float height_below(const Pen& pen, const UiLegend& legend) {
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    float lines = pen.is_board ? 3 : 4;
+    if (!legend.deformation.empty()) lines += 1;
+    if (!legend.origin.empty() && !pen.is_board) lines += 2;
+    return lines * line;
+}
+
 void range_form(Pen& pen, const UiLegend& legend) {
     const float width = pen.points(92);
     for (const bool is_upper : {true, false}) {
@@ -210,25 +220,27 @@ void outside_form(Pen& pen, const UiLegend& legend) {
 
 }  // namespace
 
-void legend_panel(Pen& pen, float bar_height) {
+void legend_panel(Pen& pen, float height) {
+    const float begin = ImGui::GetCursorPosY();
     if (!pen.model.legend) {
         bold_text(pen, "No result is seen");
         soft_lines(pen, "Choose one under Colour.");
         return;
     }
     const UiLegend& legend = *pen.model.legend;
-    ImGui::PushTextWrapPos(0);
-    bold_text(pen, legend.title);
-    ImGui::PopTextWrapPos();
+    bold_lines(pen, legend.title);
     const std::string unit = unit_text(legend.unit);
     soft_text(pen, unit.empty() ? "unit not given" : unit);
     small_lines(pen, legend.step, pen.colours.soft);
     if (!legend.within.empty()) small_lines(pen, "drawn with " + legend.within, pen.colours.soft);
-    scale(pen, legend, bar_height);
+    const float above = ImGui::GetCursorPosY() - begin;
+    scale(
+        pen, legend, std::clamp(height - above - height_below(pen, legend), pen.points(140), pen.points(440))
+    );
     swatches(pen, legend.colour);
     limit_outside(pen, legend);
     if (!legend.deformation.empty()) small_lines(pen, legend.deformation, pen.colours.soft);
-    if (!legend.origin.empty()) small_lines(pen, legend.origin, pen.colours.soft);
+    if (!legend.origin.empty() && !pen.is_board) small_lines(pen, legend.origin, pen.colours.soft);
 }
 
 void legend_settings(Pen& pen) {

@@ -33,10 +33,12 @@ void part_row(Pen& pen, std::size_t index) {
     if (icon_cell(pen, name + "/show", Icon::Eye, {!is_hidden, true, is_hidden ? "show" : "hide"}))
         pen.wish(SetPart{index, is_hidden ? PartLook::Shown : PartLook::Hidden});
     ImGui::TableNextColumn();
-    ImGui::PushTextWrapPos(0);
-    text_in(is_hidden ? pen.colours.soft : pen.colours.ink, part.name);
-    small_text(pen, fmt::format("{} · {} triangles", part.kind, thousands(part.triangles)), pen.colours.soft);
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {pen.points(6), 0});
+    lines_in(is_hidden ? pen.colours.soft : pen.colours.ink, part.name);
+    small_lines(
+        pen, fmt::format("{} · {} triangles", part.kind, thousands(part.triangles)), pen.colours.soft
+    );
+    ImGui::PopStyleVar();
     ImGui::TableNextColumn();
     if (icon_cell(pen, name + "/clear", Icon::Glass, {is_clear, !is_hidden, "see through it"}))
         pen.wish(SetPart{index, is_clear ? PartLook::Shown : PartLook::Clear});
@@ -121,6 +123,7 @@ void steps_panel(Pen& pen, float list_width, float slider_width) {
 
 void deformation_panel(Pen& pen) {
     const UiDeformation& now = pen.model.deformation;
+    ImGui::AlignTextToFramePadding();
     soft_text(pen, "Deformation");
     if (!pen.is_board) ImGui::SameLine();
     constexpr std::array<const char*, 3> kFactors{"undeformed", "true", "5 %"};
@@ -161,6 +164,7 @@ void parts_panel(Pen& pen) {
 
 void cuts_panel(Pen& pen) {
     for (std::size_t i = 0; i < pen.model.cuts.size(); ++i) cut_row(pen, i);
+    ImGui::AlignTextToFramePadding();
     soft_text(pen, "Add a plane across");
     ImGui::SameLine();
     constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};

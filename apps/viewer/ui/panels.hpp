@@ -7,7 +7,8 @@
 
 namespace feelem::viewer {
 
-void legend_panel(Pen& pen, float bar_height);
+/// As high as `height` where the scale can be long enough.
+void legend_panel(Pen& pen, float height);
 /// Range, map and bands, to be changed.
 void legend_settings(Pen& pen);
 void card_panel(Pen& pen, const UiCard& card);

@@ -69,6 +69,7 @@ void markers_panel(Pen& pen) {
         std::string words = marker.node ? fmt::format("node {}", *marker.node) : std::string("no node");
         if (!std::isnan(marker.value)) words += " · " + with_unit(marker.value, marker.unit);
         if (!marker.text.empty()) words += " · " + marker.text;
+        ImGui::AlignTextToFramePadding();
         text(words);
         const float side = pen.points(30);
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - side);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace feelem::viewer {
 namespace {
@@ -52,19 +53,23 @@ void head_row(const Pen& pen, float side) {
     middle_text(pen, "Off", side);
 }
 
-void result_row(Pen& pen, const UiResult& result) {
+void result_row(Pen& pen, const UiResult& result, float width) {
+    const auto to_middle = [&] {
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::round((width - pen.points(30)) / 2));
+    };
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushTextWrapPos(0);
-    bold_text(pen, result.label);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {pen.points(6), pen.points(1)});
+    bold_lines(pen, result.label);
     const std::string range =
         result.range
             ? fmt::format("{} … {}", number_text(result.range->lo), with_unit(result.range->hi, result.unit))
             : "not in this scene";
-    small_text(pen, range, pen.colours.soft);
-    ImGui::PopTextWrapPos();
+    small_lines(pen, range, pen.colours.soft);
+    ImGui::PopStyleVar();
     for (const SenseColumn& column : kSenseColumns) {
         ImGui::TableNextColumn();
+        to_middle();
         const bool on = drives(result, column.sense);
         const bool enabled =
             result.range.has_value() && (column.sense != Sense::Shape || result.can_shape || on);
@@ -74,6 +79,7 @@ void result_row(Pen& pen, const UiResult& result) {
             pen.wish(AssignSense{result.key, column.sense, !on});
     }
     ImGui::TableNextColumn();
+    to_middle();
     const CellLook off{result.senses.empty(), true, "off: on the card alone"};
     if (icon_cell(pen, result.key + "/off", Icon::Off, off)) pen.wish(ReleaseAll{result.key});
 }
@@ -93,20 +99,32 @@ void results_panel(Pen& pen) {
         soft_lines(pen, "This scene holds no results: only the shape can be looked at.");
         return;
     }
-    const float side = pen.points(30);
-    constexpr int kColumns = static_cast<int>(kSenseColumns.size()) + 2;
-    if (!ImGui::BeginTable("results", kColumns, ImGuiTableFlags_BordersInnerH)) return;
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
-    for (int i = 1; i < kColumns; ++i)
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, pen.points(34));
-    head_row(pen, side);
-    for (const UiResult& result : pen.model.results) result_row(pen, result);
-    ImGui::EndTable();
+    // Words over the cells need more room in the room's large letters.
+    const float column = pen.points(pen.is_board ? 47 : 38);
+    const auto table = [&](const char* name, ImGuiTableFlags flags, auto rows) {
+        constexpr int kColumns = static_cast<int>(kSenseColumns.size()) + 2;
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0, pen.points(5)});
+        if (ImGui::BeginTable(name, kColumns, flags)) {
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+            for (int i = 1; i < kColumns; ++i)
+                ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, column);
+            rows();
+            ImGui::EndTable();
+        }
+        ImGui::PopStyleVar();
+    };
+    // The line above a table's first row parts the heads from the results.
+    table("heads", ImGuiTableFlags_None, [&] { head_row(pen, column); });
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+    table("results", ImGuiTableFlags_BordersInnerH, [&] {
+        for (const UiResult& result : pen.model.results) result_row(pen, result, column);
+    });
 }
 
 void limits_panel(Pen& pen) {
     for (const UiResult& result : pen.model.results) {
         ImGui::PushID(result.key.c_str());
+        ImGui::AlignTextToFramePadding();
         text(result.label);
         const float width = pen.points(84);
         const auto typed = number_field(pen, result.key + "/limit", result.limit, width);

@@ -55,15 +55,9 @@ void touch_panel(Pen& pen) {
 
 void headset_panel(Pen& pen) {
     const UiHeadset& headset = pen.model.headset;
-    ImGui::PushTextWrapPos(0);
-    text(headset.what.empty() ? "No headset was looked for." : headset.what);
-    ImGui::PopTextWrapPos();
+    lines(headset.what.empty() ? "No headset was looked for." : headset.what);
     if (!headset.why.empty()) soft_lines(pen, headset.why);
-    if (!headset.todo.empty()) {
-        ImGui::PushTextWrapPos(0);
-        text_in(pen.colours.accent, headset.todo);
-        ImGui::PopTextWrapPos();
-    }
+    if (!headset.todo.empty()) lines_in(pen.colours.accent, headset.todo);
     if (headset.is_running || pen.is_board) return;
     if (push(pen, "headset/try", "Look for it again")) pen.wish(TryHeadset{});
 }

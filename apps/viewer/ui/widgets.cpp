@@ -46,6 +46,29 @@ private:
     int count_ = 0;
 };
 
+/// With line breaks where a line of this width is full.
+std::string broken(std::string_view line, float width) {
+    std::string out;
+    float used = 0;
+    const float space = width_of(" ");
+    while (!line.empty()) {
+        const std::size_t end = std::min(line.find(' '), line.size());
+        const std::string_view word = line.substr(0, end);
+        const float wide = width_of(word);
+        if (!out.empty()) {
+            // These belong to what stands before them.
+            const bool clings = word == "%" || word == "·";
+            const bool fits = clings || used + space + wide <= width;
+            out += fits ? ' ' : '\n';
+            used = fits ? used + space : 0;
+        }
+        out += word;
+        used += wide;
+        line.remove_prefix(std::min(end + 1, line.size()));
+    }
+    return out;
+}
+
 std::optional<double> parse_number(std::string text) {
     std::ranges::replace(text, ',', '.');
     const auto from = text.find_first_not_of(" \t+");
@@ -219,10 +242,18 @@ void soft_text(const Pen& pen, std::string_view line) {
     text_in(pen.colours.soft, line);
 }
 
+void lines(std::string_view line) {
+    text(broken(line, ImGui::GetContentRegionAvail().x));
+}
+
+void lines_in(ImU32 colour, std::string_view line) {
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    lines(line);
+    ImGui::PopStyleColor();
+}
+
 void soft_lines(const Pen& pen, std::string_view line) {
-    ImGui::PushTextWrapPos(0);
-    soft_text(pen, line);
-    ImGui::PopTextWrapPos();
+    lines_in(pen.colours.soft, line);
 }
 
 void small_text(const Pen& pen, std::string_view line, ImU32 colour) {
@@ -232,9 +263,15 @@ void small_text(const Pen& pen, std::string_view line, ImU32 colour) {
 }
 
 void small_lines(const Pen& pen, std::string_view line, ImU32 colour) {
-    ImGui::PushTextWrapPos(0);
-    small_text(pen, line, colour);
-    ImGui::PopTextWrapPos();
+    ImGui::PushFont(pen.fonts.small);
+    lines_in(colour, line);
+    ImGui::PopFont();
+}
+
+void bold_lines(const Pen& pen, std::string_view line) {
+    ImGui::PushFont(pen.fonts.bold);
+    lines(line);
+    ImGui::PopFont();
 }
 
 void bold_text(const Pen& pen, std::string_view line) {

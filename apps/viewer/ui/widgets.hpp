@@ -73,6 +73,10 @@ void soft_lines(const Pen& pen, std::string_view text);
 void small_text(const Pen& pen, std::string_view text, ImU32 colour);
 void small_lines(const Pen& pen, std::string_view text, ImU32 colour);
 void text(std::string_view text);
+/// In several lines where it is long; broken between words only, so that no number is torn.
+void lines(std::string_view text);
+void lines_in(ImU32 colour, std::string_view text);
+void bold_lines(const Pen& pen, std::string_view text);
 void text_in(ImU32 colour, std::string_view text);
 void bold_text(const Pen& pen, std::string_view text);
 void text_to_the_right(std::string_view text, ImU32 colour);

@@ -7,7 +7,9 @@
 #include "viewer/ui/numbers.hpp"
 
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace feelem::viewer::tests {
@@ -119,7 +121,7 @@ UiModel boiler_ui() {
     out.cuts = {{CutPlane{{1, 0, 0}, 120.5F}, -400, 400, true}};
     out.length_unit = "mm";
     add_places(out);
-    out.sound = {0.5, false, false, ""};
+    out.sound = {0.4, false, false, ""};
     out.touch = {1, false, "Nothing here can shake: ticks stand in."};
     out.headset = {
         "No headset",
@@ -187,6 +189,30 @@ glm::vec2 middle_of(const std::vector<UiTarget>& targets, std::string_view name)
         if (target.name == name) return (target.low + target.high) / 2.0F;
     ADD_FAILURE() << "nothing to press is called " << name;
     return glm::vec2(-1);
+}
+
+void compare_with_golden(const std::vector<int>& numbers, const std::string& name) {
+    const std::string path = feelem::test::project_file("tests/viewer/ui/golden/" + name + ".txt");
+    if (const char* update = std::getenv("FEELEM_UPDATE_GOLDEN"); update != nullptr && *update == '1') {
+        std::string text;
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            text += fmt::format("{:02x}{}", numbers[i], i % 60 == 59 ? "\n" : "");
+        feelem::test::write_file(path, text + "\n");
+    }
+    std::string text = feelem::test::read_file(path);
+    std::erase(text, '\n');
+    ASSERT_EQ(text.size(), 2 * numbers.size()) << name;
+    std::size_t off = 0;
+    int furthest = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const int expected = std::stoi(text.substr(2 * i, 2), nullptr, 16);
+        const int apart = std::abs(expected - numbers[i]);
+        furthest = std::max(furthest, apart);
+        off += apart > 4 ? 1U : 0U;
+    }
+    // Drivers smooth edges each in their own way; a word more or less is far beyond this.
+    EXPECT_LE(off, numbers.size() / 1000) << name << ": FEELEM_UI_PICTURES=folder keeps it to be looked at";
+    EXPECT_LE(furthest, 24) << name;
 }
 
 void keep_for_people(const UiPicture& picture, const std::string& name) {
