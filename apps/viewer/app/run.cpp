@@ -17,13 +17,16 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <thread>
+#include <filesystem>
+#include <utility>
 
 namespace feelem::viewer {
 namespace {
 
 /// Of scripts, whose frames take the same time on any machine.
 constexpr double kScriptedFrame = 1.0 / 60;
+/// Until --xr=require gives up, seconds: services start on demand.
+constexpr double kPatience = 10;
 constexpr int kLongestWaitFrames = 20'000;
 
 double now() {
@@ -54,7 +57,10 @@ public:
         stage_.viewer().state.sound = !options.mute;
         if (options.headset != UseHeadset::Off && options.screenshot.empty())
             headset_.emplace(XrOptions{"feelem-xr", options.headset == UseHeadset::Require});
-        if (!options.record.empty()) recording_.emplace(options.record, options.inputs.front());
+        if (!options.record.empty())
+            recording_.emplace(
+                options.record, std::filesystem::path(options.inputs.front()).filename().string()
+            );
         if (!options.script.empty()) {
             const Input script = Input::from_file(options.script);
             script_.emplace(parse_script(script.text(), options.script));
@@ -70,6 +76,7 @@ private:
     }
     double time() const { return script_ ? static_cast<double>(frames_) * kScriptedFrame : now() - began_; }
     bool is_over(const DeskFrame& desk) const;
+    void tell(const XrStatus& status, double time);
     bool frame();
     int take_picture();
 
@@ -80,6 +87,8 @@ private:
     std::optional<ScriptPlayer> script_;
     ScriptedHand scripted_;
     std::optional<Recording> recording_;
+    std::optional<XrState> told_;
+    bool was_in_headset_ = false;
     std::uint64_t frames_ = 0;
     double began_ = now();
 };
@@ -89,6 +98,26 @@ bool Session::is_over(const DeskFrame& desk) const {
     return options_.seconds && time() >= *options_.seconds;
 }
 
+/// What has become of the headset, in one line. Who cannot do without one is told so by an end.
+void Session::tell(const XrStatus& status, double time) {
+    was_in_headset_ = was_in_headset_ || headset_->is_shown();
+    std::string line = status.what;
+    for (const std::string& sentence : {status.why, status.hint})
+        if (!sentence.empty()) line += " " + sentence;
+    const bool is_hopeless = status.state == XrState::NoRuntime || status.state == XrState::Unusable ||
+                             (time > kPatience && !headset_->is_shown());
+    if (options_.headset == UseHeadset::Require && !was_in_headset_ && is_hopeless)
+        throw Error(
+            Code::UnsupportedFormat,
+            "",
+            "--xr=require, but no headset: " + (status.why.empty() ? line : status.why + " " + status.hint)
+        );
+    // Before anybody was asked there is nothing to tell.
+    const bool is_news = std::exchange(told_, status.state) != status.state;
+    if (is_news && (status.state != XrState::Starting || !status.runtime.empty()))
+        fmt::print(stderr, "feelem-xr: {}\n", line);
+}
+
 bool Session::frame() {
     ScriptedFrame scripted;
     const double at = time();
@@ -96,7 +125,7 @@ bool Session::frame() {
     const DeskFrame desk = desk_.poll(stage_, at, scripted.events);
     bool in_headset = false;
     if (headset_) {
-        headset_->poll(stage_, at);
+        tell(headset_->poll(stage_, at), now() - began_);
         if (desk_.wants_headset_again()) headset_->ask_again();
         in_headset = headset_->frame(stage_, at, desk.input.commands);
     }
