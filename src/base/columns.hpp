@@ -2,6 +2,7 @@
 // Rows of equal columns with a right-aligned whole number each, several at a time where the processor can.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,7 +27,18 @@ bool columns_of_reals(const char* at, std::size_t width, std::size_t count, doub
 bool columns_of_reals(const char* at, std::size_t width, std::size_t count, float* out);
 inline constexpr std::size_t kBeforeReals = 7;
 
-/// Whether the processor has what three_reals_of_21 and columns_of_reals need; else they are always false.
+/// Where a field begins and ends.
+struct TextField {
+    const char* first = nullptr;
+    const char* last = nullptr;
+};
+
+/// Three fields of blanks, perhaps a minus, and digits with a point, each rounded once. False: something else
+/// stands in one of them, it has more than fifteen characters, or the processor is another. Looks at sixteen
+/// bytes before the end of each.
+bool three_reals_between(const std::array<TextField, 3>& fields, double* out);
+
+/// Whether the processor has what reading reals here needs; else all that does is always false.
 bool has_fast_columns();
 
 }  // namespace feelem

@@ -157,10 +157,7 @@ FEELEM_AVX2_INLINE __m256i whole_of_16(__m256i fours) {
     );
 }
 
-FEELEM_AVX2_INLINE FourNumbers
-four_of_20(const std::array<const char*, 4>& at, __m256i keep, __m256i first, __m256i& odd) {
-    const Mantissas low = two_of_20(at[0], at[1], keep, first, odd);
-    const Mantissas high = two_of_20(at[2], at[3], keep, first, odd);
+FEELEM_AVX2_INLINE FourNumbers four_together(const Mantissas& low, const Mantissas& high) {
     const __m256i low_count = count_bytes(low.before_point), high_count = count_bytes(high.before_point);
     const __m256i before = _mm256_add_epi64(
         side_by_side(low_count, high_count), side_by_side(both_halves(low_count), both_halves(high_count))
@@ -171,6 +168,13 @@ four_of_20(const std::array<const char*, 4>& at, __m256i keep, __m256i first, __
         either(
             side_by_side(low.minus, high.minus), side_by_side(both_halves(low.minus), both_halves(high.minus))
         )};
+}
+
+FEELEM_AVX2_INLINE FourNumbers
+four_of_20(const std::array<const char*, 4>& at, __m256i keep, __m256i first, __m256i& odd) {
+    return four_together(
+        two_of_20(at[0], at[1], keep, first, odd), two_of_20(at[2], at[3], keep, first, odd)
+    );
 }
 
 inline std::int32_t load4(const char* at) {
@@ -279,6 +283,33 @@ FEELEM_AVX2 bool general_reals(const char* at, std::size_t width, std::size_t co
     return _mm256_testz_si256(odd, odd) != 0;
 }
 
+constexpr std::ptrdiff_t kLongestField = 15;
+
+/// Right-aligned in sixteen characters.
+FEELEM_AVX2_INLINE __m128i text_of(const TextField& field) {
+    const __m128i places = _mm_setr_epi8(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    const __m128i text = _mm_loadu_si128(reinterpret_cast<const __m128i*>(field.last - 16));
+    const auto before = static_cast<char>(kLongestField - (field.last - field.first));
+    return _mm_blendv_epi8(_mm_set1_epi8(' '), text, _mm_cmpgt_epi8(places, _mm_set1_epi8(before)));
+}
+
+/// Of mantissas alone, each as long as it is: what stands before it is taken for blanks.
+FEELEM_AVX2 bool reals_between(const std::array<TextField, 3>& fields, double* out) {
+    __m256i odd = _mm256_setzero_si256();
+    const bool too_long = std::ranges::any_of(fields, [](const TextField& field) {
+        return field.last - field.first > kLongestField;
+    });
+    const __m256i first = SixteenWide::byte_at(0);
+    const Mantissas low =
+        take_apart<SixteenWide>(_mm256_set_m128i(text_of(fields[1]), text_of(fields[0])), first, odd);
+    const Mantissas high =
+        take_apart<SixteenWide>(_mm256_set_m128i(text_of(fields[2]), text_of(fields[2])), first, odd);
+    alignas(32) std::array<double, 4> values{};
+    _mm256_store_pd(values.data(), scaled(four_together(low, high), _mm256_setzero_si256(), odd));
+    std::copy_n(values.begin(), 3, out);
+    return !too_long && _mm256_testz_si256(odd, odd) != 0;
+}
+
 #undef FEELEM_AVX2
 #undef FEELEM_AVX2_INLINE
 
@@ -294,6 +325,10 @@ bool columns_of_reals(const char* at, std::size_t width, std::size_t count, floa
            general_reals(at, width, count, out);
 }
 
+bool three_reals_between(const std::array<TextField, 3>& fields, double* out) {
+    return has_fast_columns() && reals_between(fields, out);
+}
+
 }  // namespace feelem
 
 #else
@@ -305,6 +340,10 @@ bool columns_of_reals(const char*, std::size_t, std::size_t, double*) {
 }
 
 bool columns_of_reals(const char*, std::size_t, std::size_t, float*) {
+    return false;
+}
+
+bool three_reals_between(const std::array<TextField, 3>&, double*) {
     return false;
 }
 

@@ -211,5 +211,78 @@ TEST(Columns, of_reals_take_every_form_that_fortran_prints) {
     }
 }
 
+TEST(Columns, three_reals_between_say_what_each_says_alone_or_refuse) {
+    if (!has_fast_columns()) GTEST_SKIP() << "the processor reads them one by one";
+    std::mt19937_64 random(21);
+    int good = 0, refused = 0;
+    for (int i = 0; i < 60'000; ++i) {
+        std::array<std::string, 3> numbers;
+        for (std::string& number : numbers) {
+            const std::size_t digits = 1 + random() % 15, point = random() % (digits + 1);
+            number = random() % 2 == 0 ? "-" : std::string(random() % 3, ' ');
+            for (std::size_t k = 0; k < digits; ++k) {
+                if (k == point) number += '.';
+                number += static_cast<char>('0' + random() % 10);
+            }
+            if (point == digits) number += '.';
+        }
+        if (i % 4 == 0) {
+            constexpr std::string_view kOdd = "0123456789.-+E, \n";
+            std::string& number = numbers[random() % 3];
+            number[random() % number.size()] = kOdd[random() % kOdd.size()];
+        }
+        const Exact exact("12345678901.3,7.," + numbers[0] + "," + numbers[1] + "," + numbers[2]);
+        std::array<TextField, 3> fields{};
+        const char* at = exact.bytes.get() + 17;
+        for (std::size_t c = 0; c < 3; at += numbers[c].size() + 1, ++c)
+            fields[c] = {at, at + numbers[c].size()};
+        std::array<double, 3> values{};
+        if (!three_reals_between(fields, values.data())) {
+            ++refused;
+            continue;
+        }
+        ++good;
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::string_view number = numbers[c];
+            number.remove_prefix(number.find_first_not_of(' '));
+            const auto wanted = parse_double(number);
+            ASSERT_TRUE(wanted && number.size() <= 15) << numbers[c];
+            ASSERT_EQ(std::bit_cast<std::uint64_t>(*wanted), std::bit_cast<std::uint64_t>(values[c]))
+                << numbers[c];
+        }
+    }
+    EXPECT_GT(good, 15'000);
+    EXPECT_GT(refused, 5'000);
+}
+
+TEST(Columns, three_reals_between_refuse_what_is_no_plain_number) {
+    const std::string before = "1234567890123456,";
+    std::array<double, 3> values{};
+    const auto reads = [&](const std::string& number) {
+        const std::string text = before + number + ",1.5,-2.5";
+        const char* const at = text.data() + before.size();
+        const char* const next = at + number.size() + 1;
+        return three_reals_between({{{at, next - 1}, {next, next + 3}, {next + 4, next + 8}}}, values.data());
+    };
+    for (const char* plain : {"0.5", ".5", "5.", "-.5", "12345678901234."})
+        EXPECT_EQ(reads(plain), has_fast_columns()) << plain;
+    for (const char* odd :
+         {"",
+          ".",
+          "-",
+          "-.",
+          "1",
+          "1.5.",
+          "1.5 ",
+          "--1.5",
+          "1-5.",
+          "+1.5",
+          "1.5E1",
+          "1,5",
+          "123456789012345.",
+          "0.123456789012345"})
+        EXPECT_FALSE(reads(odd)) << odd;
+}
+
 }  // namespace
 }  // namespace feelem

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/nastran/plain_cards.hpp"
 
+#include "base/columns.hpp"
 #include "base/number.hpp"
 #include "base/take_numbers.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 namespace feelem::nastran {
 namespace {
@@ -203,7 +209,54 @@ bool read_free_fields(std::string_view text, std::size_t at, std::size_t wanted,
     }
 }
 
+#if defined(__SSE2__)
+
+/// Which of 64 characters end a free field.
+std::uint64_t ends_of_fields(const char* at) {
+    std::uint64_t ends = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+        const __m128i some = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at + 16 * i));
+        const __m128i is_end =
+            _mm_or_si128(_mm_cmpeq_epi8(some, _mm_set1_epi8(',')), _mm_cmpeq_epi8(some, _mm_set1_epi8('\n')));
+        ends |= static_cast<std::uint64_t>(_mm_movemask_epi8(is_end)) << (16 * i);
+    }
+    return ends;
+}
+
+/// GRID,id,,x,y,z as nearly all of them are: the ends of all fields are found first, so that no number waits
+/// for the end of the one before.
+std::optional<std::size_t> read_shortest_grid(std::string_view text, std::size_t at, BulkGrid& grid) {
+    constexpr std::size_t kLookedAt = 64;
+    if (at < 16 || text.size() - at <= kLookedAt) return {};
+    const char* const card = text.data() + at;
+    std::uint64_t ends = ends_of_fields(card);
+    if (std::popcount(ends) < 5) return {};
+    std::array<const char*, 5> end{};
+    for (const char*& one : end) {
+        one = card + std::countr_zero(ends);
+        ends &= ends - 1;
+    }
+    const char* const next = end[4] + 1;
+    std::uint64_t bad = static_cast<std::uint64_t>(end[0] == card) | static_cast<std::uint64_t>(*card == ' ');
+    bad |= static_cast<std::uint64_t>(end[1] != end[0] + 1) | static_cast<std::uint64_t>(next[-1] != '\n');
+    grid.id = digits_between(card, end[0], bad);
+    const std::array<TextField, 3> fields{{{end[1] + 1, end[2]}, {end[2] + 1, end[3]}, {end[3] + 1, end[4]}}};
+    if (bad != 0 || grid.id == 0 || !starts_card(*next)) return {};
+    if (!three_reals_between(fields, grid.place.data())) return {};
+    grid.place_system = grid.value_system = kBlankField;
+    return static_cast<std::size_t>(next - text.data());
+}
+
+#else
+
+std::optional<std::size_t> read_shortest_grid(std::string_view, std::size_t, BulkGrid&) {
+    return {};
+}
+
+#endif
+
 std::optional<std::size_t> read_free_grid(std::string_view text, std::size_t at, BulkGrid& grid) {
+    if (const auto next = read_shortest_grid(text, at, grid)) return next;
     const char* const end = text.data() + text.size();
     const char* p = text.data() + at;
     if (static_cast<std::size_t>(end - p) < 6 * kNumberRoom) return {};
