@@ -139,7 +139,8 @@ bool Session::frame() {
         stage_.devices().trouble = recording_->trouble();
     }
     const bool headset_shows = headset_ && headset_->is_shown();
-    desk_.draw(stage_, headset_shows);
+    // Nobody looks at a desk without a window while the headset shows the model.
+    if (desk_.has_window() || !headset_shows || !scripted.screenshots.empty()) desk_.draw(stage_, headset_shows);
     for (const std::string& path : scripted.screenshots) write_picture(path, desk_.picture());
     desk_.show(in_headset);
     if (!script_ || stage_.is_ready()) ++frames_;
