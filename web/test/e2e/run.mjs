@@ -18,6 +18,7 @@ import { legendTests } from "./legend.mjs";
 import { listeningTests } from "./listening.mjs";
 import { lodTests } from "./lod.mjs";
 import { lookTests } from "./look.mjs";
+import { nativeTests } from "./native.mjs";
 import { readScene } from "./oracle.mjs";
 import { packedTests } from "./packed.mjs";
 import { programTests } from "./program.mjs";
@@ -69,6 +70,7 @@ for (const { name, run, skip } of [
   ...claimTests,
   ...legendTests,
   ...lookTests,
+  ...nativeTests,
   ...budgetTests,
   ...listeningTests,
   ...timeTests,
