@@ -11,7 +11,9 @@
 #include <openxr/openxr_platform.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 namespace feelem::xr_runtime {
 
@@ -62,6 +64,7 @@ XrResult enumerate_extensions(
 XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* out) {
     begin_script();
     Runtime& all = runtime();
+    if (has_fault("slow_service")) std::this_thread::sleep_for(std::chrono::milliseconds(500));
     if (has_fault("no_service") || all.refused_creations > 0) {
         all.refused_creations = std::max(0, all.refused_creations - 1);
         record(R"("instance":"refused")");

@@ -162,6 +162,7 @@ void XrSystem::Parts::hear(const XrEventDataBuffer& event) {
 
 void XrSystem::Parts::tell() {
     xr::put_words(connection, status);
+    status.is_asking = coming.valid();
     if (session) {
         status.input = session->input_name();
         session->take_quirks(status.quirks);

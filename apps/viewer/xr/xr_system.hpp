@@ -29,6 +29,7 @@ std::string_view word(XrState state);  ///< "no-runtime"
 
 struct XrStatus {
     XrState state = XrState::Starting;
+    bool is_asking = false;           ///< The runtime is being asked just now, beside the program's loop.
     std::string what, why, hint;      ///< Sentences for people; `why` and `hint` may be empty.
     std::string runtime, headset;     ///< As they name themselves; empty: not known yet.
     std::string input;                ///< What is in the hands: "Oculus Touch controllers", "bare hands".

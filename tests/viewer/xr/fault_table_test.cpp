@@ -96,6 +96,14 @@ TEST_F(XrFaults, service_that_is_down_is_asked_again_every_two_to_five_seconds_w
     EXPECT_THAT(stay.system->status().runtime, HasSubstr("scripted runtime 1.2.3"));
 }
 
+TEST_F(XrFaults, service_that_takes_its_time_does_not_hold_up_the_desk) {
+    Stay stay("", "slow_service");
+    int turns = 0;
+    while (stay.system->poll(stay.time += 0.01).is_asking && turns < 100'000) ++turns;
+    EXPECT_GT(turns, 1) << "the desk had its turns while the service took half a second";
+    EXPECT_TRUE(stay.reach(XrState::Focused, 1));
+}
+
 TEST_F(XrFaults, headset_that_is_missing_is_looked_for_every_two_seconds) {
     Stay stay("", "no_headset");
 

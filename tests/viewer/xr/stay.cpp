@@ -17,6 +17,7 @@ namespace feelem::viewer {
 namespace {
 
 constexpr double kTurn = 0.02;
+constexpr int kMostWaits = 30'000;
 
 /// One of its own for each stay: the runtime begins anew when the script's name changes.
 std::string fresh_folder() {
@@ -95,12 +96,13 @@ void Stay::set_faults(const std::string& faults) {
 bool Stay::turn() {
     time += kTurn;
     system->poll(time);
-    const auto frame = system->begin_frame();
-    if (!frame) {
-        // An instance is made on another thread: let it come to the processor.
-        std::this_thread::sleep_for(std::chrono::microseconds(300));
-        return false;
+    // On a busy machine the answer takes a while of the real clock; none of the program's passes meanwhile.
+    for (int i = 0; system->status().is_asking && i < kMostWaits; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        system->poll(time);
     }
+    const auto frame = system->begin_frame();
+    if (!frame) return false;
     last = *frame;
     if (draw) draw(last);
     system->end_frame(pictures ? pictures() : XrPictures{});
