@@ -44,13 +44,15 @@ ImGuiKey key_of(PanelKey key) {
     return kKeys.at(static_cast<std::size_t>(key));
 }
 
+}  // namespace
+
 /// One context of Dear ImGui with its font texture. Makes itself the current one for as long as it draws.
-class Surface {
+class UiSurface {
 public:
     struct Letters {
         float plain, small, title, unit;
     };
-    explicit Surface(const Letters& letters) : unit_(letters.unit), context_(ImGui::CreateContext()) {
+    explicit UiSurface(const Letters& letters) : unit_(letters.unit), context_(ImGui::CreateContext()) {
         const Current current(context_);
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = io.LogFilename = nullptr;
@@ -62,15 +64,15 @@ public:
             throw std::runtime_error("the panels find no OpenGL: is a context current?");
         }
     }
-    ~Surface() {
+    ~UiSurface() {
         {
             const Current current(context_);
             ImGui_ImplOpenGL3_Shutdown();
         }
         ImGui::DestroyContext(context_);
     }
-    Surface(const Surface&) = delete;
-    Surface& operator=(const Surface&) = delete;
+    UiSurface(const UiSurface&) = delete;
+    UiSurface& operator=(const UiSurface&) = delete;
 
     /// `panels` draws with a pen on this surface.
     template <class Panels>
@@ -155,8 +157,6 @@ private:
     bool rests_ = false, wants_pointer_ = false, wants_keys_ = false;
 };
 
-}  // namespace
-
 struct DeskGui::State {
     explicit State(float density)
         : unit(std::max(density, 0.5F)), surface(
@@ -166,7 +166,7 @@ struct DeskGui::State {
                                               unit}
                                          ) {}
     float unit;
-    Surface surface;
+    UiSurface surface;
 };
 
 DeskGui::DeskGui(float density) : state_(std::make_unique<State>(density)) {}
@@ -222,7 +222,7 @@ struct BoardTexture::State {
     State& operator=(const State&) = delete;
 
     Board board;
-    Surface surface;
+    UiSurface surface;
     GLuint texture = 0, framebuffer = 0;
 };
 
