@@ -20,11 +20,12 @@ class Lines:
         threading.Thread(target=self._read, args=(stream,), daemon=True).start()
 
     def _read(self, stream):
-        with stream:
-            for line in stream:
-                if line.startswith("{"):
-                    self.waiting.put(json.loads(line))
+        for line in stream:
+            if line.startswith("{"):
+                self.waiting.put(json.loads(line))
         self.waiting.put(None)
+        if hasattr(stream, "close"):
+            stream.close()
 
     def until(self, wanted, what, seconds=20.0):
         """The next line for which wanted(line) holds."""
@@ -51,6 +52,26 @@ class Lines:
         return self.seen
 
 
+def follow(path, program):
+    """The lines of a file that `program` is writing, until it has ended."""
+    while not path.exists() and program.poll() is None:
+        time.sleep(0.02)
+    if not path.exists():
+        return
+    with open(path, encoding="utf-8") as file:
+        line = ""
+        while True:
+            has_ended = program.poll() is not None
+            line += file.readline()
+            if line.endswith("\n"):
+                yield line
+                line = ""
+            elif has_ended:
+                return
+            else:
+                time.sleep(0.01)
+
+
 def json_lines(text):
     return [json.loads(line) for line in text.splitlines() if line.startswith("{")]
 
@@ -63,7 +84,7 @@ def main(folder, argument_names):
         sys.exit(f"usage: {sys.argv[0]} {argument_names} [CASE...]")
     values = {name.lower(): pathlib.Path(value).resolve() for name, value in zip(names, given)}
     folder.update(values)
-    program = unittest.main(module="__main__", argv=[sys.argv[0], *sys.argv[1 + len(names):]], exit=False, verbosity=2)
+    program = unittest.main(module="__main__", argv=[sys.argv[0], *sys.argv[1 + len(names):]], exit=False, verbosity=2, warnings="ignore")
     result = program.result
     if result.wasSuccessful() and result.testsRun == len(result.skipped):
         sys.exit(SKIPPED)

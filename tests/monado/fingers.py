@@ -28,6 +28,9 @@ class Fingers:
             raise RuntimeError("the screen has no XTEST")
         self.xtest = reply[9]
 
+    def close(self):
+        self.socket.close()
+
     def _take(self, count):
         data = b""
         while len(data) < count:

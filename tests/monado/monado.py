@@ -25,6 +25,7 @@ MODES = {
     "remote": {"XRT_COMPOSITOR_NULL": "1", "P_OVERRIDE_ACTIVE_CONFIG": "remote"},
     "xcb": {"XRT_COMPOSITOR_FORCE_XCB": "1", "XRT_COMPOSITOR_SCALE_PERCENTAGE": "50",
             "SIMULATED_ENABLE": "1", "SIMULATED_LEFT": "simple", "SIMULATED_RIGHT": "simple"},
+    "remote_xcb": {"XRT_COMPOSITOR_FORCE_XCB": "1", "XRT_COMPOSITOR_SCALE_PERCENTAGE": "50", "P_OVERRIDE_ACTIVE_CONFIG": "remote"},
 }
 
 
@@ -144,6 +145,7 @@ class Monado:
 
     def popen(self, command, **settings):
         environment = self.environment() | settings.pop("environment", {})
+        environment = {name: value for name, value in environment.items() if value is not None}  # None takes it away.
         with open(self.complaints, "ab") as complaints:
             settings = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": complaints, "text": True} | settings
             program = subprocess.Popen(self.command(command), env=environment, start_new_session=True, **settings)

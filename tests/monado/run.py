@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs a program with the test runtime: run.py MODE COMMAND...
 
-MODE is simulated, qwerty (says each pulse at the end), remote (somebody must move the hands), or xcb (a window shows
-what the headset would show). The service's log follows on stderr. Exit code: the program's; 77: no runtime here.
+MODE is simulated, qwerty (says each pulse at the end), remote (somebody must move the hands), xcb or remote_xcb (a
+window shows what the headset would show). The service's log follows on stderr. Exit code: the program's; 77: no runtime here.
 """
 import sys
 
@@ -14,7 +14,7 @@ from monado import MODES, SKIPPED, Monado, Skipped
 def main():
     if len(sys.argv) < 3 or sys.argv[1] not in MODES:
         sys.exit(__doc__)
-    if sys.argv[1] == "remote":
+    if sys.argv[1].startswith("remote"):
         remote.in_own_network()
     try:
         with Monado(sys.argv[1]) as runtime:

@@ -71,7 +71,8 @@ int run_doctor() {
     if (const auto context = try_graphics(tried)) headset = try_headset();
     const std::vector<Finding> findings = examine(this_machine(), tried, headset ? &*headset : nullptr);
     fmt::print("{}", report_of(findings));
-    return verdict_on(findings).desk ? 0 : 1;
+    const Verdict verdict = verdict_on(findings);
+    return verdict.desk || verdict.headset ? 0 : 1;
 }
 
 }  // namespace feelem::viewer

@@ -4,7 +4,7 @@
 
 namespace feelem::viewer {
 
-/// Exit code: 0 when at least the window works, else 1.
+/// Exit code: 0 when the window works or a headset does, else 1.
 int run_doctor();
 
 }  // namespace feelem::viewer
