@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Must: give the bytes of the portable twin (facet_batch.cpp). Algorithm: eight nodes at a time, one
 // hexahedron or two tetrahedra: their keys, and in one lane a facet its smallest corner and its sign. The
-// products are ordinary ones, since AVX2 has none of 64 bits. Elements in which a corner repeats are left to
-// the twin.
+// products are ordinary ones, since AVX2 has none of 64 bits. Facets on which a corner repeats are looked at
+// once more: triangles are left of most of them. Other elements than linear hexahedra go to the twin then.
 #include "skin/facet_batch.hpp"
 #include "skin/facet_hash.hpp"
 
 #if defined(__x86_64__)
 
 #include <immintrin.h>
+
+#include <bit>
 
 #define FEELEM_AVX2 __attribute__((target("avx2")))
 #define FEELEM_AVX2_INLINE __attribute__((target("avx2"), always_inline)) inline
@@ -116,6 +118,36 @@ FEELEM_AVX2_INLINE LaneFacets triangles(__m256i a, __m256i b, __m256i c) {
     return {_mm256_min_epu32(ab, c), odd, repeats};
 }
 
+/// The facets whose bits are set are quads with a corner twice: what is left of each when sides without a
+/// length go (outline_of), a triangle or nothing.
+template <FacetHashes kWhat>
+void hash_collapsed(
+    unsigned facets,
+    const ElementRow& row,
+    const NodeIndex* nodes,
+    const EightKeys& keys,
+    FacetBatch& out,
+    std::size_t first
+) {
+    for (; facets != 0; facets &= facets - 1) {
+        const auto f = static_cast<std::size_t>(std::countr_zero(facets));
+        const auto& at = row.facets[f].nodes;
+        std::array<std::uint32_t, 3> corners{};
+        std::array<std::uint64_t, 3> corner_keys{};
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (nodes[at[i]] == nodes[at[(i + 1) % 4]]) continue;
+            corners[count % 3] = raw(nodes[at[i]]);
+            corner_keys[count % 3] = keys[at[i]];
+            ++count;
+        }
+        // Four: opposite corners are one, and it is folded.
+        const FacetHash hash = count == 3 ? facet_hash::triangle(corners, corner_keys, 0) : FacetHash{};
+        out.hashes[first + f] = kWhat == FacetHashes::Signed ? hash.value : hash.corners;
+        out.lowest[first + f] = hash.lowest;
+    }
+}
+
 template <ElementType kType, FacetHashes kWhat>
 FEELEM_AVX2 void hash_hexes(ElementRun run, FacetBatch& out) {
     static constexpr const ElementRow& kRow = element_table::kTable[static_cast<std::size_t>(kType)];
@@ -134,7 +166,8 @@ FEELEM_AVX2 void hash_hexes(ElementRun run, FacetBatch& out) {
             _mm256_permutevar8x32_epi32(eight, lane_c),
             _mm256_permutevar8x32_epi32(eight, lane_d)
         );
-        if (!_mm256_testz_si256(facets.repeats, facets.repeats)) {
+        const auto repeats = static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(facets.repeats)));
+        if (kQuadratic && repeats != 0) {
             hash_facets_portably({kType, nodes, 1}, kWhat, out, e * 6);
             continue;
         }
@@ -161,6 +194,10 @@ FEELEM_AVX2 void hash_hexes(ElementRun run, FacetBatch& out) {
                     middles += at[i] < 16 ? first[at[i] - 8U] : last[at[i] - 12U];
             }
             out.hashes[e * 6 + f] = with_sign(facet_hash::quad_value(ac, bd, middles, false), sign[f]);
+        }
+        if (repeats != 0) {
+            out.may_repeat = true;
+            hash_collapsed<kWhat>(repeats & 0x3F, kRow, nodes, keys, out, e * 6);
         }
     }
 }
