@@ -226,7 +226,7 @@ class TouchTest(Case):
 
 class PictureTest(Case):
     def test_compositor_shows_the_boiler_to_both_eyes(self):
-        with Screen(640, 360) as screen, Monado("remote_xcb", environment={"DISPLAY": screen.display}) as runtime:
+        with Screen(960, 540) as screen, Monado("remote_xcb", environment={"DISPLAY": screen.display}) as runtime:
             person = remote.Person()
             person.connect()
             person.left.active = False
