@@ -12,7 +12,7 @@
 namespace feelem::viewer {
 namespace {
 
-constexpr float kCellSide = 30, kIconPoints = 18, kButtonHeight = 28;
+constexpr float kCellSide = 30, kIconPoints = 18, kButtonHeight = 28, kSliderWords = 62;
 
 const char* begin_of(std::string_view text) {
     return text.data();
@@ -189,21 +189,18 @@ std::optional<double> number_field(
 std::optional<float> slider(
     Pen& pen, std::string_view name, float value, float from, float to, const std::string& shown, float width
 ) {
-    std::string format = shown;
-    for (std::size_t at = 0; (at = format.find('%', at)) != std::string::npos; at += 2)
-        format.insert(at, "%");
     const std::string id = "##" + pen.group + std::string(name);
-    ImGui::SetNextItemWidth(width);
+    const float words = std::max(width_of(shown), pen.points(kSliderWords));
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(std::max(width - words - gap, pen.points(40)));
     float now = value;
     const bool changed = ImGui::SliderFloat(
-        id.c_str(),
-        &now,
-        from,
-        to,
-        format.c_str(),
-        ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput
+        id.c_str(), &now, from, to, "", ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput
     );
     pen.target(name);
+    // Beside it: upon it the knob would hide the number.
+    ImGui::SameLine(0, gap);
+    text(shown);
     return changed ? std::optional(now) : std::nullopt;
 }
 
