@@ -27,6 +27,11 @@ WorldBox box_of(const Viewer& viewer) {
     return box;
 }
 
+bool is_pushed(const PadState& pad) {
+    return pad.left != glm::vec2(0) || pad.right != glm::vec2(0) || pad.left_trigger > 0 ||
+           pad.right_trigger > 0;
+}
+
 void act(DeskAction action, Window* window, DeviceWords& devices) {
     switch (action) {
     case DeskAction::Theme: devices.theme = devices.theme == Theme::Dark ? Theme::Light : Theme::Dark; return;
@@ -73,6 +78,7 @@ DeskFrame DeskScreen::poll(Stage& stage, double time, std::span<const DeskEvent>
     now.density = window_ ? window_->density() : 1.0F;
     now.stage = stage_rectangle();
     if (window_) now.pad = window_->pad();
+    was_used_ = !events.empty() || is_pushed(now.pad);
     now.over_panel = gui_->wants_pointer();
     now.is_typing = gui_->wants_keys();
     now.box = box_of(viewer);

@@ -41,6 +41,8 @@ public:
     Pixels picture() const { return picture_.read(); }
 
     glm::ivec2 pixels() const;
+    /// Something happened in the last poll(): a key, the mouse, a stick.
+    bool was_used() const noexcept { return was_used_; }
     bool has_window() const noexcept { return window_ != nullptr; }
     DeskCamera& camera() noexcept { return input_.camera(); }
     bool wants_headset_again() const noexcept { return wishes_.try_headset; }
@@ -56,6 +58,7 @@ private:
     ComposedPicture picture_;
     std::unique_ptr<DeskGui> gui_;
     DeskInput input_;
+    bool was_used_ = false;
     PanelInput panel_input_;
     WindowWishes wishes_;
 };

@@ -50,6 +50,7 @@ bool HeadsetScreen::frame(Stage& stage, double time, std::span<const Command> de
         stage.senses().set_sink(
             side, input.hands[static_cast<std::size_t>(side)].can_vibrate ? &system_.haptics(side) : nullptr
         );
+    stage.set_budget(frame->period);
     stage.step(input);
     place(stage, input.head);
     quads_.clear();

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 namespace feelem::viewer {
@@ -25,6 +26,11 @@ namespace {
 
 /// Of scripts, whose frames take the same time on any machine.
 constexpr double kScriptedFrame = 1.0 / 60;
+/// What a frame may take at the desk, as on the page.
+constexpr double kDeskFrame = 0.033;
+/// Seconds without change after which the picture is drawn at its finest, once.
+constexpr double kRestAfter = 0.25;
+constexpr auto kRestingFrame = std::chrono::milliseconds(8);
 /// Until --xr=require gives up, seconds: services start on demand.
 constexpr double kPatience = 10;
 constexpr int kLongestWaitFrames = 20'000;
@@ -77,6 +83,7 @@ private:
     double time() const { return script_ ? static_cast<double>(frames_) * kScriptedFrame : now() - began_; }
     bool is_over(const DeskFrame& desk) const;
     void tell(const XrStatus& status, double time);
+    bool rest(double time, bool headset_shows);
     bool frame();
     int take_picture();
 
@@ -89,6 +96,8 @@ private:
     std::optional<Recording> recording_;
     std::optional<XrState> told_;
     bool was_in_headset_ = false;
+    double active_at_ = 0;
+    bool drawn_at_rest_ = false;
     std::uint64_t frames_ = 0;
     double began_ = now();
 };
@@ -114,8 +123,20 @@ void Session::tell(const XrStatus& status, double time) {
         );
     // Before anybody was asked there is nothing to tell.
     const bool is_news = std::exchange(told_, status.state) != status.state;
+    drawn_at_rest_ = drawn_at_rest_ && !is_news;
     if (is_news && (status.state != XrState::Starting || !status.runtime.empty()))
         fmt::print(stderr, "feelem-xr: {}\n", line);
+}
+
+/// Nothing has happened at the desk for a while: one last picture, the finest, stays.
+bool Session::rest(double time, bool headset_shows) {
+    const bool is_active = script_ || headset_shows || !stage_.is_ready() || desk_.was_used() ||
+                           stage_.viewer().state.playing || !options_.screenshot.empty();
+    if (is_active) active_at_ = time;
+    const bool rests = time - active_at_ > kRestAfter;
+    if (!rests) drawn_at_rest_ = false;
+    stage_.set_rest(rests);
+    return rests;
 }
 
 bool Session::frame() {
@@ -131,6 +152,7 @@ bool Session::frame() {
     }
     if (!in_headset) {
         desk_.lend_motors(stage_.senses());
+        stage_.set_budget(script_ || !options_.screenshot.empty() ? 0 : kDeskFrame);
         stage_.step(desk.input);
     }
     if (recording_) {
@@ -139,8 +161,15 @@ bool Session::frame() {
         stage_.devices().trouble = recording_->trouble();
     }
     const bool headset_shows = headset_ && headset_->is_shown();
-    // Nobody looks at a desk without a window while the headset shows the model.
-    if (desk_.has_window() || !headset_shows || !scripted.screenshots.empty()) desk_.draw(stage_, headset_shows);
+    const bool rests = rest(at, headset_shows);
+    // Nobody looks at a desk without a window while the headset shows the model, nor for a change where
+    // nothing changes.
+    if (rests && std::exchange(drawn_at_rest_, true)) {
+        std::this_thread::sleep_for(kRestingFrame);
+        return !is_over(desk);
+    }
+    if (desk_.has_window() || !headset_shows || !scripted.screenshots.empty())
+        desk_.draw(stage_, headset_shows);
     for (const std::string& path : scripted.screenshots) write_picture(path, desk_.picture());
     desk_.show(in_headset);
     if (!script_ || stage_.is_ready()) ++frames_;

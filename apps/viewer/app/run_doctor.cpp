@@ -19,8 +19,8 @@ namespace feelem::viewer {
 namespace {
 
 /// A service that starts on demand answers within this.
-constexpr double kPatience = 2.0;
-constexpr auto kPause = std::chrono::milliseconds(50);
+constexpr double kTryFor = 2.0;
+constexpr auto kBetweenTries = std::chrono::milliseconds(50);
 
 std::string first_sentence(const std::string& text) {
     std::string out = text.substr(0, text.find('\n'));
@@ -53,11 +53,11 @@ void try_window(TriedGraphics& tried) {
 XrStatus try_headset() {
     XrSystem system({"feelem-xr doctor", false});
     XrStatus status;
-    for (double time = 0; time < kPatience; time += 0.05) {
+    for (double time = 0; time < kTryFor; time += 0.05) {
         status = system.poll(time);
         if (status.state != XrState::NoService && status.state != XrState::Starting) break;
         if (!status.headset.empty()) break;
-        std::this_thread::sleep_for(kPause);
+        std::this_thread::sleep_for(kBetweenTries);
     }
     return status;
 }

@@ -4,6 +4,8 @@
 #include "viewer/app/scene_source.hpp"
 #include "viewer/ui/numbers.hpp"
 
+#include <glm/common.hpp>
+
 namespace feelem::viewer {
 namespace {
 
@@ -30,7 +32,12 @@ Stage::~Stage() {
 const Frame& Stage::step(const FrameInput& input) {
     frame_.input = input;
     update(viewer_, input);
+    while (const auto seconds = timer_.take())
+        if (budget_ > 0) govern(governor_, *seconds, budget_);
+    if (!(budget_ > 0)) governor_ = {};
+    viewer_.state.most_triangles = fineness().triangles;
     frame_.look = look_of(viewer_, input);
+    frame_.look.edges = frame_.look.edges && fineness().edges;
     frame_.snapshot = snapshot_of(viewer_, input);
     frame_.overlay = overlay_of(viewer_, frame_.snapshot, input);
     frame_.pulses = senses_.play(frame_.snapshot, viewer_.state, input.is_focused);
@@ -42,15 +49,18 @@ const Frame& Stage::step(const FrameInput& input) {
 void Stage::draw(std::span<const Camera> eyes, glm::ivec2 pixels, std::span<const Panel> panels) {
     DrawInput input;
     input.eyes = eyes;
-    input.width = pixels.x;
-    input.height = pixels.y;
+    const glm::vec2 drawn = glm::max(glm::round(glm::vec2(pixels) * fineness().resolution), glm::vec2(1));
+    input.width = static_cast<int>(drawn.x);
+    input.height = static_cast<int>(drawn.y);
     input.look = &frame_.look;
     input.marks = frame_.overlay.marks;
     input.labels = frame_.overlay.labels;
     input.panels = panels;
     input.background = background_of(devices_.theme);
     if (frame_.input.is_headset) input.floor = 0.0F;
+    timer_.begin();
     renderer_.draw(input);
+    timer_.end();
 }
 
 }  // namespace feelem::viewer

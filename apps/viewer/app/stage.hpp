@@ -5,6 +5,8 @@
 
 #include "viewer/app/panel_model.hpp"
 #include "viewer/app/sense_outputs.hpp"
+#include "viewer/core/governor.hpp"
+#include "viewer/render/frame_timer.hpp"
 #include "viewer/render/renderer.hpp"
 #include "viewer/scene/loaded_scene.hpp"
 
@@ -40,6 +42,12 @@ public:
     /// Draws the last frame for one eye or two.
     void draw(std::span<const Camera> eyes, glm::ivec2 pixels, std::span<const Panel> panels = {});
 
+    /// Frames that take longer than `budget` seconds are drawn coarser; 0: always at the finest, as pictures
+    /// are that must not depend on the machine.
+    void set_budget(double budget) noexcept { budget_ = budget; }
+    /// Nothing moves: the finest picture, however long it takes.
+    void set_rest(bool rests) noexcept { rests_ = rests; }
+    const Fineness& fineness() const noexcept { return kFineness[rests_ ? 0 : governor_.level]; }
     Viewer& viewer() noexcept { return viewer_; }
     const Viewer& viewer() const noexcept { return viewer_; }
     Renderer& renderer() noexcept { return renderer_; }
@@ -56,6 +64,10 @@ private:
     SenseOutputs senses_;
     DeviceWords devices_;
     Frame frame_;
+    Governor governor_;
+    FrameTimer timer_;
+    double budget_ = 0;
+    bool rests_ = false;
     std::jthread growing_;  ///< Makes the hierarchies for rays while the first pictures are drawn.
 };
 
