@@ -37,7 +37,7 @@ PUBLIC_HEADER_OWNER = {
     "error": "base", "diagnostics": "base",
     "ids": "model", "element_type": "model", "mesh": "model", "result": "model", "model": "model", "surface": "model",
     "read": "read", "derive": "derive", "skin": "skin", "inside": "inside", "lod": "lod", "pick": "pick", "write": "write",
-    "present": "present", "scene": "scene", "convert": "convert", "probe": "convert", "interior": "convert",
+    "present": "present", "presented_view": "present", "scene": "scene", "convert": "convert", "probe": "convert", "interior": "convert",
 }
 ONLY_IN = {"SDL": ("apps/viewer/desktop", "apps/viewer/audio", "tests/viewer"), "AL/": ("apps/viewer/audio", "tests/viewer"),
            "epoxy/": ("apps/viewer/render", "apps/viewer/xr", "apps/viewer/desktop", "apps/viewer/ui", "tests/viewer",

@@ -4,6 +4,7 @@
 #include "present/presentation_node.hpp"
 
 #include "feelem/present.hpp"
+#include "feelem/presented_view.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,8 @@ constexpr std::array<std::string_view, 5> kTypes{"colour", "pitch", "ticks", "pu
 constexpr std::array<std::string_view, 5> kSenses{"visual", "audio", "audio", "touch", "visual"};
 constexpr std::array<std::string_view, 3> kQuantise{"none", "semitone", "pentatonic"};
 constexpr std::array<std::string_view, 2> kLimitKinds{"above", "below"};
+/// What `deformation.ghost` says where there is one.
+constexpr std::string_view kGhost = "featureEdges";
 constexpr std::array<std::string_view, 3> kDeformationModes{"auto5percent", "manual", "none"};
 
 PresentedResult read_result(const Node& node) {
@@ -179,6 +182,51 @@ void check_rules(const Presentation& presentation, const Node& root) {
             }
         }
     }
+}
+
+/// A member of an object; null where there is none, or no object.
+const Json& member_of(const Json& object, const char* key) {
+    static const Json kNone;
+    const auto found = object.find(key);
+    return object.is_object() && found != object.end() ? *found : kNone;
+}
+
+bool flag_or(const Json& value, bool other) {
+    return value.is_boolean() ? value.get<bool>() : other;
+}
+
+double share_or(const Json& value, double other) {
+    return value.is_number() ? std::clamp(value.get<double>(), 0.0, 1.0) : other;
+}
+
+/// Which of the effects is the colour's; null where none is.
+template <class Document>
+auto colour_object(Document& document) -> decltype(&document["effects"][0]) {
+    const auto effects = document.find("effects");
+    if (effects == document.end() || !effects->is_array()) return nullptr;
+    for (auto& effect : *effects) {
+        if (member_of(effect, "type") == Json(kTypes[0])) return &effect;
+    }
+    return nullptr;
+}
+
+PresentedView read_view(const Json& document) {
+    PresentedView view;
+    if (const Json* colour = colour_object(document)) {
+        view.isolines = flag_or(member_of(*colour, "isolines"), view.isolines);
+        view.shade_floor = share_or(member_of(*colour, "shadeFloor"), view.shade_floor);
+    }
+    view.ghost = member_of(member_of(document, "deformation"), "ghost") == Json(kGhost);
+    const Json& events = member_of(document, "events");
+    view.limit_events = flag_or(member_of(events, "limit"), view.limit_events);
+    view.extreme_events = flag_or(member_of(events, "extremes"), view.extreme_events);
+    view.no_value_events = flag_or(member_of(events, "noData"), view.no_value_events);
+    view.band_events = flag_or(member_of(events, "bandEdges"), view.band_events);
+    const Json& audio = member_of(document, "audio");
+    view.master = share_or(member_of(audio, "master"), view.master);
+    view.mono = flag_or(member_of(audio, "mono"), view.mono);
+    view.captions = flag_or(member_of(audio, "captions"), view.captions);
+    return view;
 }
 
 Presentation read_presentation(const Json& document, std::string_view name) {
@@ -393,6 +441,12 @@ void write_items(
     document[key] = std::move(items);
 }
 
+/// A factor that somebody has chosen is manual; no shape, none.
+Json deformation_mode(const Presentation& presentation) {
+    if (presentation.deformation_result.empty()) return kDeformationModes[2];
+    return presentation.deformation_factor ? kDeformationModes[1] : kDeformationModes[0];
+}
+
 /// What a document holds besides results and effects when nobody has said otherwise (docs/effects.md 8).
 constexpr const char* kFreshDocument = R"({
     "format": "feelem-presentation", "version": 1, "title": "", "results": [], "effects": [],
@@ -449,7 +503,21 @@ std::string presentation_json(const Presentation& presentation) {
         )
         .put(
             "factor", [](const P& p) { return optional_json(p.deformation_factor); }, "deformation"
-        );
+        )
+        .put("mode", deformation_mode, "deformation");
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+PresentedView presented_view(std::string_view json) {
+    return json.empty() ? PresentedView{} : read_view(parse_json(json, "presentation"));
+}
+
+std::string with_presented_view(std::string_view json, const PresentedView& view) {
+    Json document = parse_json(json, "presentation");
+    const PresentedView before = read_view(document);
+    if (view.ghost != before.ghost) document["deformation"]["ghost"] = view.ghost ? Json(kGhost) : Json();
+    Json* colour = colour_object(document);
+    if (colour != nullptr && view.isolines != before.isolines) (*colour)["isolines"] = view.isolines;
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -4,6 +4,7 @@
 
 #include "feelem/error.hpp"
 #include "feelem/present.hpp"
+#include "feelem/presented_view.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -325,6 +326,57 @@ TEST(Presentation, range_without_ends_maps_nothing) {
     result.lo = 0;
     result.hi = 4;
     EXPECT_EQ(normalise(1, value_range(result)).u, 0.25);
+}
+
+TEST(PresentedView, is_read_and_whatever_is_odd_there_is_its_default) {
+    const PresentedView told = presented_view(
+        R"({"effects": [{"type": "pitch"}, {"type": "colour", "isolines": true, "shadeFloor": 0.5}],
+            "deformation": {"ghost": "featureEdges"},
+            "events": {"limit": false, "bandEdges": true}, "audio": {"master": 0.2, "mono": true}})"
+    );
+    EXPECT_TRUE(told.isolines && told.ghost && told.band_events && told.mono);
+    EXPECT_EQ(told.shade_floor, 0.5);
+    EXPECT_EQ(told.master, 0.2);
+    EXPECT_FALSE(told.limit_events);
+    EXPECT_TRUE(told.extreme_events);
+    const PresentedView odd = presented_view(
+        R"({"effects": [7, {"type": "colour", "isolines": "yes", "shadeFloor": "dark"}],
+            "deformation": {"ghost": 7}, "events": {"limit": 0}, "audio": {"master": 30, "mono": null}})"
+    );
+    EXPECT_FALSE(odd.isolines || odd.ghost || odd.mono);
+    EXPECT_TRUE(odd.limit_events);
+    EXPECT_EQ(odd.shade_floor, 0.75);
+    EXPECT_EQ(odd.master, 1);
+    EXPECT_FALSE(presented_view("[1, 2]").ghost);
+    EXPECT_TRUE(presented_view("").no_value_events);
+}
+
+TEST(PresentedView, lines_and_ghost_are_written_back_beside_all_else) {
+    const std::string document =
+        R"({"effects": [{"type": "colour", "map": "turbo"}], "deformation": {"ghost": "featureEdges"}, "own": 1})";
+    PresentedView view = presented_view(document);
+    view.isolines = true;
+    view.ghost = false;
+    const std::string written = with_presented_view(document, view);
+    EXPECT_TRUE(presented_view(written).isolines);
+    EXPECT_FALSE(presented_view(written).ghost);
+    EXPECT_NE(written.find("turbo"), std::string::npos);
+    EXPECT_NE(written.find("own"), std::string::npos);
+}
+
+TEST(Presentation, a_factor_that_nobody_has_chosen_is_no_longer_manual) {
+    Presentation presentation = parse_presentation(
+        R"({"results": [{"key": "U", "name": "displacement", "component": "magnitude"}],
+            "effects": [{"result": "U", "type": "colour"}],
+            "deformation": {"result": "U", "mode": "manual", "factor": 3}})",
+        "read"
+    );
+    presentation.deformation_factor.reset();
+    const Presentation back = parse_presentation(presentation_json(presentation), "written");
+    EXPECT_FALSE(back.deformation_factor);
+    EXPECT_EQ(back.deformation_result, "U");
+    presentation.deformation_factor = 7;
+    EXPECT_EQ(parse_presentation(presentation_json(presentation), "again").deformation_factor, 7);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include "base/atomic_file.hpp"
 #include "viewer/core/viewer_state.hpp"
 
+#include "feelem/presented_view.hpp"
+
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
@@ -53,6 +55,22 @@ std::size_t first_step(const Scene& scene) {
     return 0;
 }
 
+/// Triangles up to which the ghost's lines are looked for unasked.
+constexpr std::size_t kGhostUpTo = 300'000;
+
+void take_view(ViewerState& state, const ViewedModel& model, const PresentedView& view) {
+    state.isolines = view.isolines;
+    state.ghost = view.ghost && model.arrays().triangles.size() < kGhostUpTo;
+    state.shade_floor = view.shade_floor;
+    state.events.limit = view.limit_events;
+    state.events.extremes = view.extreme_events;
+    state.events.no_value = view.no_value_events;
+    state.events.band_edges = view.band_events;
+    state.person.master = view.master;
+    state.person.mono = view.mono;
+    state.person.captions = view.captions;
+}
+
 void toggle_play(ViewerState& state, const ViewedModel& model) {
     state.playing = !state.playing && can_play(state, model);
 }
@@ -91,6 +109,7 @@ ViewerState first_state(const ViewedModel& model) {
                                            : Deformation::Typed;
         state.typed_factor = *factor;
     }
+    take_view(state, model, presented_view(state.presentation.json));
     put_on_table(state, model, {});
     state.changed = false;
     return state;
@@ -152,7 +171,10 @@ void run(ViewerState& state, const ViewedModel& model, Command command, const Ci
     case Command::ClipForward: move_cut(state, model, 0, kClipStep); break;
     case Command::ClipBack: move_cut(state, model, 0, -kClipStep); break;
     case Command::ToggleEdges: state.edges = !state.edges; break;
-    case Command::ToggleIsolines: state.isolines = !state.isolines; break;
+    case Command::ToggleIsolines:
+        state.isolines = !state.isolines;
+        state.changed = true;
+        break;
     case Command::ToggleGhost: state.ghost = !state.ghost; break;
     case Command::AnimateMode: animate(state, model); break;
     case Command::PlaceMarker: place_marker(state, now.node); break;
@@ -177,8 +199,13 @@ void save_presentation(ViewerState& state, const ViewedModel& model, const std::
     if (state.deformation == Deformation::True) saved.deformation_factor = 1;
     if (state.deformation == Deformation::None) saved.deformation_factor = 0;
     if (state.deformation == Deformation::Typed) saved.deformation_factor = state.typed_factor;
+    const std::string text = presentation_json(saved);
+    PresentedView view = presented_view(text);
+    view.isolines = state.isolines;
+    // A model too large for it at first has not said that nobody wants it.
+    if (state.ghost || model.arrays().triangles.size() < kGhostUpTo) view.ghost = state.ghost;
     AtomicFile file(path);
-    file.write(presentation_json(saved));
+    file.write(with_presented_view(text, view));
     file.commit();
     state.changed = false;
 }

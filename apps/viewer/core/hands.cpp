@@ -104,7 +104,6 @@ bool follow_hand(HandState& hand, const HandInput& now, double seconds) {
         hand.ghost = hand.before.grip;
         hand.before.is_tracked = false;
     }
-    hand.carries = false;
     hand.touches = false;
     hand.ray_length.reset();
     hand.rest_at.reset();

@@ -8,8 +8,6 @@
 namespace feelem::viewer {
 namespace {
 
-constexpr float kShadeFloor = 0.75F;
-
 /// Maps whose neighbours differ in lightness alone: shade would be read as another value, so they get half.
 bool is_told_by_lightness(const std::string& map) {
     return map == "cividis" || map == "cool_warm";
@@ -24,7 +22,8 @@ void fill_colour(Look& look, const ViewerState& state, const ViewedModel& model)
     look.colour = effect->colour;
     look.limit = seen->limit;
     look.isolines = state.isolines;
-    const float floor = is_told_by_lightness(effect->colour.map) ? (1 + kShadeFloor) / 2 : kShadeFloor;
+    const auto asked = static_cast<float>(state.shade_floor);
+    const float floor = is_told_by_lightness(effect->colour.map) ? (1 + asked) / 2 : asked;
     look.shade_floor = state.shading ? floor : 1;
 }
 

@@ -100,6 +100,7 @@ struct ViewerState {
     bool isolines = false;
     bool ghost = false;
     bool shading = false;         ///< Off: colours are read off a legend, so light leaves them alone.
+    double shade_floor = 0.75;    ///< Share of the light that a place seen edge-on keeps, with shading.
     bool extremes = true;         ///< MX and MN stand on the model.
     std::vector<PartLook> parts;  ///< One a part.
     std::vector<CutState> cuts;   ///< At most kMostCuts.

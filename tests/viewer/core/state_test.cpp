@@ -4,6 +4,7 @@
 #include "viewer/core/scene_in_memory.hpp"
 
 #include "feelem/error.hpp"
+#include "feelem/presented_view.hpp"
 
 #include <glm/geometric.hpp>
 #include <gmock/gmock.h>
@@ -347,6 +348,7 @@ TEST(ViewerState, a_saved_presentation_comes_back_as_it_was_changed_and_keeps_wh
     set_limit(state, "T", 80);
     set_limit(state, "U", 1.5);
     state.deformation = Deformation::None;
+    run(state, model, Command::ToggleIsolines, {});
     const std::string path = feelem::test::scratch_folder("viewer_core_saved") + "/boiler.json";
     save_presentation(state, model, path);
     EXPECT_FALSE(state.changed);
@@ -356,6 +358,8 @@ TEST(ViewerState, a_saved_presentation_comes_back_as_it_was_changed_and_keeps_wh
     EXPECT_EQ(read.results, state.presentation.results);
     EXPECT_EQ(result_of(read, Sense::Colour)->key, "S");
     EXPECT_EQ(read.deformation_factor, 0);
+    EXPECT_TRUE(presented_view(text).isolines);
+    EXPECT_TRUE(presented_view(text).ghost) << "as it was";
 }
 
 TEST(ViewerState, shade_is_off_at_first_and_weaker_for_maps_told_by_lightness) {
