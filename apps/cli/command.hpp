@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace feelem::cli {
 
@@ -19,7 +20,8 @@ struct Options {
     Job job;
     bool json = false;
     bool verbose = false;
-    unsigned threads = 0;  ///< 0: all.
+    unsigned threads = 0;             ///< 0: all.
+    std::vector<std::string> making;  ///< Names of given options that say how a scene is made.
     // probe
     std::optional<std::int64_t> node;
     std::optional<Point3> point;

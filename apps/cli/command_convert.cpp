@@ -33,6 +33,7 @@ void check_review_output(const Job& job) {
 /// Page and scene in one file. The input may be a scene already.
 int convert_to_review(const Options& options) {
     check_review_output(options.job);
+    refuse_making_a_scene_again(options);
     const SceneInput scene(options);
     if (scene.path().empty()) {
         fmt::print(stderr, "feelem: cancelled, nothing was written\n");

@@ -242,6 +242,7 @@ void print_results(const ModelReport& report) {
 }  // namespace
 
 int run_info(const Options& options) {
+    refuse_making_a_scene_again(options);
     if (options.job.inputs.size() == 1 && is_scene(options.job.inputs.front())) {
         print_scene_info(options.job.inputs.front(), options.json);
         return 0;

@@ -69,6 +69,7 @@ std::array<double, Count> numbers(const std::string& option, const std::string& 
 struct Texts {
     std::vector<std::string> units, averages;
     std::string point, ray, up = "z", bound;
+    std::vector<const CLI::Option*> making;  ///< Those that say how a scene is made.
 };
 
 void add_reading_options(CLI::App& app, Job& job) {
@@ -132,6 +133,7 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
         app.add_option("-o,--output", options.job.output, "OUT: the suffix says the format")
             ->option_text(" ");
     }
+    const std::size_t first_of_making = app.get_options().size();
     if (has(takes, Takes::Output) || has(takes, Takes::Serving)) {
         app.add_flag("--compress", options.job.compress, "A smaller scene, for Feelem's viewers alone");
         app.add_option(
@@ -151,6 +153,8 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
                "triangles)"
         )
             ->option_text(" ");
+    const auto so_far = app.get_options();
+    texts.making.assign(so_far.begin() + static_cast<std::ptrdiff_t>(first_of_making), so_far.end());
     if (has(takes, Takes::Brief))
         app.add_flag("--brief", options.job.brief, "Steps and names alone: reads no values, makes no skin");
     if (has(takes, Takes::Json)) app.add_flag("--json", options.json, "Machine-readable, stable");
@@ -219,6 +223,9 @@ void finish_options(const CLI::App& app, const Command& command, Options& option
             throw UsageError(fmt::format("--unit \"{}\": expected NAME=UNIT, like stress=MPa", text));
         }
         options.job.units[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    for (const CLI::Option* option : texts.making) {
+        if (option->count() > 0) options.making.push_back(option->get_name());
     }
     if (!texts.averages.empty()) options.job.averages = averagings(texts.averages);
     if (texts.up != "x" && texts.up != "y" && texts.up != "z") {

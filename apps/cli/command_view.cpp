@@ -76,6 +76,7 @@ void print_ways(const server::PageServer& server, const std::string& query) {
 }  // namespace
 
 int run_view(const Options& options) {
+    refuse_making_a_scene_again(options);
     const SceneInput scene(options);
     if (scene.path().empty()) {
         fmt::print(stderr, "feelem: cancelled\n");

@@ -10,6 +10,10 @@
 
 namespace feelem::cli {
 
+/// For commands that show a finished scene as it is. Throws UsageError when the input is one and options
+/// were given that say how a scene is made: they would change nothing.
+void refuse_making_a_scene_again(const Options& options);
+
 class SceneInput {
 public:
     /// Converts when the inputs are no scene. Throws what convert() throws.
