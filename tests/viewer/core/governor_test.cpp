@@ -48,7 +48,7 @@ TEST(Governor, a_finer_level_tried_in_vain_is_tried_again_more_rarely) {
 
 TEST(Governor, one_late_frame_and_a_sleep_change_nothing) {
     Governor governor;
-    for (int i = 0; i < 60; ++i)
+    for (std::size_t i = 0; i < 60; ++i)
         govern(governor, i % kGovernorRound == 3 ? 20 * kBudget : 0.5 * kBudget, kBudget);
     EXPECT_EQ(governor.level, 0U);
     for (int i = 0; i < 60; ++i) govern(governor, 4, kBudget);
