@@ -6,32 +6,34 @@
 namespace feelem::viewer {
 
 FrameTimer::~FrameTimer() {
-    if (queries_[0] != 0) glDeleteQueries(kFrames, queries_.data());
+    if (queries_[0] != 0) glDeleteQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
 }
 
 void FrameTimer::begin() {
-    if (queries_[0] == 0) glCreateQueries(GL_TIME_ELAPSED, kFrames, queries_.data());
+    if (queries_[0] == 0)
+        glCreateQueries(GL_TIMESTAMP, static_cast<GLsizei>(queries_.size()), queries_.data());
     is_open_ = begun_ - taken_ < kFrames;
-    if (is_open_) glBeginQuery(GL_TIME_ELAPSED, queries_[begun_ % kFrames]);
+    if (is_open_) glQueryCounter(queries_[2 * (begun_ % kFrames)], GL_TIMESTAMP);
 }
 
 void FrameTimer::end() {
     if (!is_open_) return;
-    glEndQuery(GL_TIME_ELAPSED);
+    glQueryCounter(queries_[2 * (begun_ % kFrames) + 1], GL_TIMESTAMP);
     ++begun_;
     is_open_ = false;
 }
 
 std::optional<double> FrameTimer::take() {
     if (taken_ == begun_) return std::nullopt;
-    const unsigned query = queries_[taken_ % kFrames];
+    const unsigned from = queries_[2 * (taken_ % kFrames)], to = queries_[2 * (taken_ % kFrames) + 1];
     GLuint is_there = 0;
-    glGetQueryObjectuiv(query, GL_QUERY_RESULT_AVAILABLE, &is_there);
+    glGetQueryObjectuiv(to, GL_QUERY_RESULT_AVAILABLE, &is_there);
     if (is_there == 0) return std::nullopt;
-    GLuint64 nanoseconds = 0;
-    glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
+    GLuint64 began = 0, ended = 0;  // Nanoseconds.
+    glGetQueryObjectui64v(from, GL_QUERY_RESULT, &began);
+    glGetQueryObjectui64v(to, GL_QUERY_RESULT, &ended);
     ++taken_;
-    return static_cast<double>(nanoseconds) * 1e-9;
+    return static_cast<double>(ended - began) * 1e-9;
 }
 
 }  // namespace feelem::viewer

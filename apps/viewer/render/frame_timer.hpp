@@ -22,8 +22,8 @@ public:
     std::optional<double> take();
 
 private:
-    static constexpr std::size_t kFrames = 4;  ///< That may be on their way.
-    std::array<unsigned, kFrames> queries_{};
+    static constexpr std::size_t kFrames = 4;      ///< That may be on their way.
+    std::array<unsigned, 2 * kFrames> queries_{};  ///< Moments: Mesa's software renderer counts no spans.
     std::size_t begun_ = 0, taken_ = 0;
     bool is_open_ = false;
 };
