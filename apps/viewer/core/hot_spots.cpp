@@ -28,15 +28,38 @@ struct SpotQuery {
     }
 };
 
+/// Numbers from 1 on for ids: a plain list where they lie close together, as solvers number them.
+class NumberedIds {
+public:
+    explicit NumberedIds(std::span<const std::int64_t> ids) {
+        std::int64_t largest = 0, smallest = 0;
+        for (const std::int64_t id : ids) {
+            largest = std::max(largest, id);
+            smallest = std::min(smallest, id);
+        }
+        const auto dense = static_cast<std::int64_t>(4 * ids.size() + 1000);
+        if (smallest >= 0 && largest < dense) list_.resize(static_cast<std::size_t>(largest) + 1);
+    }
+    std::uint32_t number(std::int64_t id) {
+        std::uint32_t& known = list_.empty() ? map_[id] : list_[static_cast<std::size_t>(id)];
+        if (known == 0) known = ++count_;
+        return known;
+    }
+
+private:
+    std::vector<std::uint32_t> list_;
+    std::unordered_map<std::int64_t, std::uint32_t> map_;
+    std::uint32_t count_ = 0;
+};
+
 /// For each vertex of a part a number that all vertices of its node share: where a skin bends sharply, or
 /// elements do not share values, one node has several. 0: no node.
 std::vector<std::uint32_t> number_nodes(const ModelArrays& arrays, const PartSpan& part) {
-    std::vector<std::uint32_t> numbers(part.vertices);
-    std::unordered_map<std::int64_t, std::uint32_t> known;
-    for (std::uint32_t i = 0; i < part.vertices; ++i) {
-        const std::int64_t id = arrays.node_ids[part.first_vertex + i];
-        if (id == 0) continue;
-        numbers[i] = known.try_emplace(id, static_cast<std::uint32_t>(known.size()) + 1).first->second;
+    const auto ids = arrays.node_ids.subspan(part.first_vertex, part.vertices);
+    NumberedIds known(ids);
+    std::vector<std::uint32_t> numbers(ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        if (ids[i] != 0) numbers[i] = known.number(ids[i]);
     }
     return numbers;
 }

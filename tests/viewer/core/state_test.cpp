@@ -281,6 +281,16 @@ TEST(ViewerState, hot_spots_keep_apart_pass_over_the_hidden_and_are_gone_to_in_t
     EXPECT_THAT(state.notice, HasSubstr("no hot spots"));
 }
 
+TEST(ViewerState, hot_spots_of_nodes_numbered_from_a_billion_on_are_the_same) {
+    Scene scene = warm_square();
+    for (std::int64_t& id : scene.parts[0].node_ids) id += 1'000'000'000;
+    Ready ready(scene);
+    ready.viewer.state.hot.share = 0.5;
+    const std::vector<HotSpot> spots = hot_spots(ready.viewer.state, ready.viewer.model);
+    ASSERT_EQ(spots.size(), 1u);
+    EXPECT_EQ(spots[0].node, 1'000'000'004);
+}
+
 TEST(ViewerState, a_part_alone_hides_the_others) {
     Ready ready(two_squares());
     isolate_part(ready.viewer.state, 1);
