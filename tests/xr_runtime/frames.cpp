@@ -104,9 +104,10 @@ std::string view_text(const XrCompositionLayerProjectionView& view, std::string&
     if (!fault.empty()) return {};
     const Swapchain& swapchain = *runtime().swapchains.find(number_of(view.subImage.swapchain));
     return fmt::format(
-        R"({{"x":{:.4f},"depth":{},"middle":[{}]}})",
+        R"({{"x":{:.4f},"depth":{},"format":{},"middle":[{}]}})",
         view.pose.position.x,
         has_depth,
+        swapchain.format,
         fmt::join(middle_of(swapchain), ",")
     );
 }

@@ -5,9 +5,9 @@
 //
 //   FEELEM_XR_SCRIPT  file of lines as script.hpp has them
 //   FEELEM_XR_RECORD  file that lines of JSON are added to
-//   FEELEM_XR_FAULTS  words: no_headset no_service slow_service no_stage no_array no_egl no_opengl no_depth
-//   no_hands no_envelope
-//                     no_parametric no_srgb leaves_gl_error loses_context; read anew whenever it matters
+//   FEELEM_XR_FAULTS  words: no_headset no_service slow_service no_stage no_array no_egl no_opengl
+//                     no_depth no_hands no_envelope no_parametric no_srgb leaves_gl_error loses_context;
+//                     read anew whenever it matters
 #pragma once
 
 #include "script.hpp"

@@ -39,6 +39,7 @@ TEST_F(XrFrames, both_eyes_arrive_with_the_bytes_that_were_drawn) {
         if (each["layers"].empty()) continue;
         ++drawn;
         const auto& views = each["layers"][0]["views"];
+        EXPECT_EQ(views[0]["format"], GL_SRGB8_ALPHA8) << "what is linear would be shown too light";
         EXPECT_THAT(middle(views[0]), ElementsAre(200, 100, 50, 255));
         EXPECT_THAT(middle(views[1]), ElementsAre(10, 20, 30, 255));
         EXPECT_NEAR(views[1]["x"].get<double>() - views[0]["x"].get<double>(), 0.064, 1e-3);
@@ -174,7 +175,10 @@ TEST_F(XrFrames, runtime_that_refuses_array_images_is_served) {
 
 TEST_F(XrFrames, recentred_room_has_the_person_in_its_middle_and_keeps_its_floor) {
     const float half = std::sqrt(0.5F);  // A quarter turn to the left.
-    Stay stay("0 pose head 0.5 1.7 -0.4 0 " + std::to_string(half) + " 0 " + std::to_string(half));
+    Stay stay(
+        "0 pose head 0.5 1.7 -0.4 0 " + std::to_string(half) + " 0 " + std::to_string(half) +
+        "\n40 pose head 0.5 1.7 -1.4 0 " + std::to_string(half) + " 0 " + std::to_string(half)
+    );
     ASSERT_TRUE(stay.reach(XrState::Focused));
     ASSERT_TRUE(stay.frames(1));
     EXPECT_NEAR(stay.last.input.head.position.x, 0.5, 1e-5);
@@ -188,6 +192,10 @@ TEST_F(XrFrames, recentred_room_has_the_person_in_its_middle_and_keeps_its_floor
     EXPECT_NEAR(head.position.z, 0, 1e-5);
     const glm::vec3 ahead = head.orientation * glm::vec3(0, 0, -1);
     EXPECT_NEAR(ahead.z, -1, 1e-4);
+
+    ASSERT_TRUE(stay.frames(40));
+    EXPECT_NEAR(stay.last.input.head.position.x, 1, 1e-5)
+        << "a step to the right: the room stays, once it is set";
 }
 
 TEST_F(XrFrames, headset_that_recentres_itself_voids_ours) {

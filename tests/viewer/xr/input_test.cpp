@@ -12,11 +12,29 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+struct Press {
+    std::vector<const char*> inputs;  ///< Of the right hand, all at 1 for three frames, and then at 0.
+    const char* part;                 ///< What that is; empty: nothing.
+};
+
 struct Controller {
     const char *name, *profile, *title;
-    std::vector<const char*> pressed;  ///< Inputs of the right hand, all at 1.
-    bool has_lower, has_stick, has_squeeze;
+    std::vector<Press> presses;
 };
+
+/// All that the hand does; empty: nothing.
+std::string parts_of(const HandInput& hand) {
+    std::string text;
+    const auto add = [&](bool is_on, const char* part) { text += is_on ? part : ""; };
+    add(hand.trigger == 1, "trigger");
+    add(hand.squeeze == 1, "squeeze");
+    add(hand.stick.x == 1, "stick");
+    add(hand.stick_pressed, "pressed stick");
+    add(hand.lower_button, "lower");
+    add(hand.upper_button, "upper");
+    add(hand.menu, "menu");
+    return text;
+}
 
 void PrintTo(const Controller& controller, std::ostream* out) {
     *out << controller.name;
@@ -33,35 +51,45 @@ protected:
     }
 };
 
-TEST_P(XrControllers, every_part_does_what_it_is_for) {
+TEST_P(XrControllers, every_part_does_what_it_is_for_and_nothing_else) {
     const Controller& controller = GetParam();
-    std::string script;
+    std::string script = "0 pose right 0.25 1.3 -0.4\n";
     for (const char* side : {"left", "right"})
         script += std::string("0 profile ") + side + " " + controller.profile + "\n";
-    script += "0 pose right 0.25 1.3 -0.4\n";
-    for (const char* each : controller.pressed) script += std::string("12 input right ") + each + " 1\n";
+    std::vector<std::string> wanted;
+    int frame = 12;
+    for (const Press& press : controller.presses) {
+        for (const char* input : press.inputs) {
+            script += std::to_string(frame) + " input right " + input + " 1\n";
+            script += std::to_string(frame + 3) + " input right " + input + " 0\n";
+        }
+        frame += 6;
+        wanted.push_back(press.part);
+    }
     Stay stay(script);
+    std::vector<std::string> seen(controller.presses.size());
+    int count = 0;
+    stay.draw = [&](const XrFrame& each) {
+        const std::string parts = parts_of(each.input.hands[1]);
+        const auto at = static_cast<std::size_t>((count - 12) / 6);
+        const int phase = count < 12 ? 5 : (count - 12) % 6;
+        if (phase == 1 && at < seen.size()) seen[at] = parts;
+        EXPECT_TRUE(phase < 3 || parts.empty())
+            << "nothing is pressed in frame " << count << ", but " << parts;
+        EXPECT_EQ(parts_of(each.input.hands[0]), "") << "the left hand does nothing";
+        ++count;
+    };
     ASSERT_TRUE(stay.reach(XrState::Focused));
-    ASSERT_TRUE(stay.frames(3));
-    const HandInput idle = stay.last.input.hands[1];
-
-    ASSERT_TRUE(stay.frames(15));
+    ASSERT_TRUE(stay.frames(static_cast<std::size_t>(frame)));
     const HandInput& hand = stay.last.input.hands[1];
 
-    EXPECT_TRUE(idle.is_tracked);
-    EXPECT_FALSE(idle.is_bare);
-    EXPECT_TRUE(idle.can_vibrate);
-    EXPECT_EQ(idle.trigger, 0);
-    EXPECT_FALSE(idle.upper_button);
-    EXPECT_NEAR(idle.aim.position.x, 0.25, 1e-5);
-    EXPECT_NEAR(idle.aim.position.y, 1.3, 1e-5);
-    EXPECT_NEAR(idle.grip.position.z, -0.35, 1e-5);
-    EXPECT_EQ(hand.trigger, 1);
-    EXPECT_EQ(hand.squeeze, controller.has_squeeze ? 1 : 0);
-    EXPECT_TRUE(hand.upper_button);
-    EXPECT_EQ(hand.lower_button, controller.has_lower);
-    EXPECT_EQ(hand.stick.x, controller.has_stick ? 1 : 0);
-    EXPECT_EQ(stay.last.input.hands[0].trigger, 0) << "the left hand did nothing";
+    EXPECT_EQ(seen, wanted);
+    EXPECT_TRUE(hand.is_tracked);
+    EXPECT_FALSE(hand.is_bare);
+    EXPECT_TRUE(hand.can_vibrate);
+    EXPECT_NEAR(hand.aim.position.x, 0.25, 1e-5);
+    EXPECT_NEAR(hand.aim.position.y, 1.3, 1e-5);
+    EXPECT_NEAR(hand.grip.position.z, -0.35, 1e-5);
     EXPECT_EQ(stay.system->status().input, controller.title);
     EXPECT_TRUE(stay.system->haptics(Side::Right).pulse(0.5, 35));
     stay.end();
@@ -77,42 +105,48 @@ INSTANTIATE_TEST_SUITE_P(
             "simple",
             "/interaction_profiles/khr/simple_controller",
             "simple controllers",
-            {"select/click", "menu/click"},
-            false,
-            false,
-            false},
+            {{{"select/click"}, "trigger"}, {{"menu/click"}, "upper"}}},
         Controller{
             "touch",
             "/interaction_profiles/oculus/touch_controller",
             "Touch controllers",
-            {"trigger/value", "squeeze/value", "thumbstick/x", "a/click", "b/click"},
-            true,
-            true,
-            true},
+            {{{"trigger/value"}, "trigger"},
+             {{"squeeze/value"}, "squeeze"},
+             {{"thumbstick/x"}, "stick"},
+             {{"thumbstick/click"}, "pressed stick"},
+             {{"a/click"}, "lower"},
+             {{"b/click"}, "upper"}}},
         Controller{
             "index",
             "/interaction_profiles/valve/index_controller",
             "Index controllers",
-            {"trigger/value", "squeeze/force", "thumbstick/x", "a/click", "b/click"},
-            true,
-            true,
-            true},
+            {{{"trigger/value"}, "trigger"},
+             {{"squeeze/value"}, ""},
+             {{"squeeze/force"}, "squeeze"},
+             {{"thumbstick/x"}, "stick"},
+             {{"thumbstick/click"}, "pressed stick"},
+             {{"a/click"}, "lower"},
+             {{"b/click"}, "upper"}}},
         Controller{
             "vive",
             "/interaction_profiles/htc/vive_controller",
             "Vive wands",
-            {"trigger/value", "squeeze/click", "trackpad/x", "trackpad/click", "menu/click"},
-            false,
-            true,
-            true},
+            {{{"trigger/value"}, "trigger"},
+             {{"squeeze/click"}, "squeeze"},
+             {{"trackpad/x"}, ""},
+             {{"trackpad/click"}, "pressed stick"},
+             {{"trackpad/x", "trackpad/click"}, "stick"},
+             {{"menu/click"}, "upper"}}},
         Controller{
             "wmr",
             "/interaction_profiles/microsoft/motion_controller",
             "Mixed Reality controllers",
-            {"trigger/value", "squeeze/click", "thumbstick/x", "trackpad/click", "menu/click"},
-            true,
-            true,
-            true}
+            {{{"trigger/value"}, "trigger"},
+             {{"squeeze/click"}, "squeeze"},
+             {{"thumbstick/x"}, "stick"},
+             {{"thumbstick/click"}, "pressed stick"},
+             {{"trackpad/click"}, "lower"},
+             {{"menu/click"}, "upper"}}}
     ),
     [](const auto& each) { return std::string(each.param.name); }
 );
