@@ -30,7 +30,9 @@ enum class PanelKey : std::uint8_t {
 };
 
 struct PanelInput {
-    std::optional<glm::vec2> at;    ///< Pixels from the upper left corner; empty: points elsewhere.
+    std::optional<glm::vec2> at;  ///< Pixels from the upper left corner; empty: points elsewhere.
+    std::optional<glm::vec2>
+        pointer;  ///< Where it is, also while it belongs to the model: nothing is put there.
     std::array<bool, 3> buttons{};  ///< Primary, secondary, middle. A hand's trigger is the primary one.
     float wheel = 0;                ///< Notches upwards.
     std::string text;               ///< UTF-8 typed since the last frame.

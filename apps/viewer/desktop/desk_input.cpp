@@ -339,6 +339,7 @@ void DeskInput::finish(Step& step) {
     input.pointer.shift = shift_;
     input.pointer.can_vibrate = step.now.pad.can_rumble;
     panel.seconds = step.seconds;
+    panel.pointer = at_;
     const bool is_free = drag_ == Drag::None;
     if (is_free || drag_ == Drag::Panel) {
         panel.at = at_;

@@ -12,10 +12,12 @@
 namespace feelem::viewer {
 namespace {
 
+/// As fold() names it.
+constexpr const char* kSettingsId = "Range, colours##legend/settings";
 constexpr float kTopHeight = 48, kBottomHeight = 46;
 constexpr float kLeftShare = 0.3F, kLeftLeast = 280, kLeftMost = 384;
 constexpr float kRightShare = 0.155F, kRightLeast = 150, kRightMost = 200;
-constexpr float kCardWidth = 350, kDeformationWidth = 400;
+constexpr float kCardWidth = 350, kCardLeast = 260, kDeformationWidth = 400;
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
@@ -168,7 +170,10 @@ void left_column(Pen& pen, const UiRect& rect, bool with_deformation) {
 void right_column(Pen& pen, const UiRect& rect) {
     begin_at("right", rect, 0);
     pen.group = "legend/";
-    legend_panel(pen, ImGui::GetContentRegionAvail().y - pen.points(44));
+    // The scale makes room for the form once that is open.
+    const ImGuiID form = ImGui::GetID(kSettingsId);
+    const bool is_open = ImGui::GetStateStorage()->GetInt(form) != 0;
+    legend_panel(pen, ImGui::GetContentRegionAvail().y - pen.points(is_open ? 420 : 44));
     ImGui::Dummy({0, pen.points(4)});
     legend_settings(pen);
     line_between(pen, {rect.x, rect.y}, {rect.x, rect.y + rect.height});
@@ -211,8 +216,14 @@ void card_sheet(Pen& pen, const UiRect& stage) {
     const UiCard& card = *pen.model.card;
     const bool is_beyond = std::ranges::any_of(card.rows, &UiCardRow::beyond);
     const Sheet sheet(pen, is_beyond ? pen.colours.alarm : pen.colours.line, pen.points(is_beyond ? 2 : 1));
-    const float width = std::min(pen.points(kCardWidth), stage.width - pen.points(20));
-    ImGui::SetNextWindowPos({stage.x + pen.points(10), stage.y + pen.points(10)});
+    const float half = stage.width / 2 - pen.points(20);
+    const float width = std::min(std::max(half, pen.points(kCardLeast)), pen.points(kCardWidth));
+    // On the other side while the pointer is near: what is pointed at stays in sight.
+    const float gap = pen.points(10);
+    const bool is_near = pen.pointer && pen.pointer->x < stage.x + stage.width / 2 &&
+                         pen.pointer->y < stage.y + stage.height * 0.6F;
+    const float x = is_near ? stage.x + stage.width - width - gap : stage.x + gap;
+    ImGui::SetNextWindowPos({x, stage.y + gap});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, stage.height});
     // Only what can be let go of can be pressed; the rest lets the pointer through.
     const ImGuiWindowFlags flags = card.is_pinned ? kFloating : kFloating | ImGuiWindowFlags_NoInputs;

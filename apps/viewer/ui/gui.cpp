@@ -93,7 +93,7 @@ public:
         ImGui::NewFrame();
         targets_.clear();
         ImGui::PushFont(fonts_.plain);
-        Pen pen{model, wishes, targets_, colours, fonts_, unit_, is_board};
+        Pen pen{model, wishes, targets_, colours, fonts_, unit_, is_board, input.pointer};
         panels(pen);
         ImGui::PopFont();
         ImGui::Render();

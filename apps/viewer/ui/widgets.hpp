@@ -26,6 +26,7 @@ struct Pen {
     UiFonts fonts;
     float unit = 1;          ///< Pixels a point.
     bool is_board = false;   ///< In the room: nothing can be typed.
+    std::optional<glm::vec2> pointer = {};
     std::string group = {};  ///< What targets' names begin with.
 
     void wish(UiWish wanted) { wishes.push_back(std::move(wanted)); }

@@ -87,6 +87,7 @@ TEST_F(DeskInputTest, press_on_the_model_probes_and_does_not_turn) {
     DeskFrame frame = step({mouse(Kind::Moved, kMiddle + glm::vec2(30, 0))});
     EXPECT_TRUE(frame.input.pointer.primary);
     EXPECT_TRUE(frame.input.pointer.ray);
+    EXPECT_EQ(frame.panel.pointer, kMiddle + glm::vec2(30, 0)) << "the card keeps out of its way";
     EXPECT_EQ(input.camera().yaw, yaw);
     frame = step({mouse(Kind::Moved, kPanel)});
     EXPECT_TRUE(frame.input.pointer.ray) << "a sweep that leaves the stage goes on";

@@ -138,6 +138,29 @@ TEST_F(PanelsTest, without_a_place_there_is_no_card) {
     EXPECT_EQ(picture.at(300, 20), (Rgb{0, 0, 0})) << "nothing stands there";
 }
 
+TEST_F(PanelsTest, card_goes_out_of_the_pointers_way) {
+    DeskGui gui(1);
+    const auto [x, y, width, height] = gui.stage(kDesk);
+    const auto has_card = [&, x = x, y = y, width = width, height = height](glm::vec2 share, float side) {
+        Canvas canvas(kDesk, kStageGrey);
+        PanelInput input;
+        input.pointer = glm::vec2(x, y) + share * glm::vec2(width, height);
+        for (int i = 0; i < 3; ++i) {
+            canvas.clear();
+            gui.draw(boiler_ui(), input, kDesk);
+        }
+        return canvas.read().at(x + static_cast<int>(side * static_cast<float>(width)), y + 30) != kStageGrey;
+    };
+    for (const glm::vec2 share : {glm::vec2(0.1F, 0.1F), glm::vec2(0.4F, 0.3F)}) {
+        EXPECT_TRUE(has_card(share, 0.8F));
+        EXPECT_FALSE(has_card(share, 0.2F));
+    }
+    for (const glm::vec2 share : {glm::vec2(0.1F, 0.9F), glm::vec2(0.8F, 0.2F)}) {
+        EXPECT_TRUE(has_card(share, 0.2F));
+        EXPECT_FALSE(has_card(share, 0.8F));
+    }
+}
+
 TEST_F(PanelsTest, the_stage_is_left_to_the_model) {
     UiModel model = boiler_ui();
     model.card.reset();
