@@ -79,10 +79,10 @@ class SweepTest(Case):
     def check_reading(self, probed):
         told = json.loads(feelem("probe", boiler_scene(), "--json", "--point=" + ",".join(map(repr, probed["model"]))))
         results = {(result["key"]): result for result in reversed(told["results"])}
-        self.assertLess(told["distance"], 1e-3)
+        self.assertLess(told["distance"], 1e-9)
         for reading in probed["readings"]:
             result = results[reading["key"]]
-            self.assertAlmostEqual(reading["value"], result["value"], delta=1e-6 * max(1.0, abs(result["value"])))
+            self.assertAlmostEqual(reading["value"], result["value"], delta=1e-12 * max(1.0, abs(result["value"])))
             self.assertEqual(reading["state"], result["state"])
         node = json.loads(feelem("probe", boiler_scene(), "--json", "--node", probed["node"]))
         for reading in probed["readings"]:
