@@ -46,13 +46,22 @@ void write_picture(const std::string& path, const Pixels& pixels) {
 }
 
 bool has_display() {
-    return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+    const auto is_set = [](const char* name) { return std::getenv(name) != nullptr; };
+    return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("SDL_VIDEODRIVER");
 }
 
 /// A picture needs no window, and neither does a headset or a script where there is no screen.
 bool wants_window(const Options& options) {
     if (!options.screenshot.empty()) return false;
-    return has_display() || (options.headset != UseHeadset::Require && options.script.empty());
+    if (has_display()) return true;
+    if (options.headset == UseHeadset::Require || !options.script.empty()) return false;
+    throw Error(
+        Code::UnsupportedFormat,
+        "",
+        "there is no screen in this session (DISPLAY and WAYLAND_DISPLAY are not set). Start it in a desktop "
+        "session; "
+        "--screenshot FILE.png draws without a screen, --xr=require uses a headset alone"
+    );
 }
 
 class Session {
