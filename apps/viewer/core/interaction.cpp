@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace feelem::viewer {
 namespace {
@@ -31,6 +32,16 @@ std::optional<std::int64_t> meant_node(const Interaction& interaction, const Vie
     return node_of(model, *interaction.pointers[static_cast<std::size_t>(*pointer)].hit);
 }
 
+/// What a device says of a place nobody knows may be no number.
+bool is_finite_matrix(const glm::mat4& matrix) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!std::isfinite(matrix[column][row])) return false;
+        }
+    }
+    return true;
+}
+
 /// A headset has come, or gone, or its room is to be laid out anew.
 void settle(InteractionFrame& frame) {
     Interaction& interaction = frame.interaction;
@@ -39,7 +50,8 @@ void settle(InteractionFrame& frame) {
         if (frame.input.is_headset) frame.state.stand.reset();
     }
     interaction.was_headset = frame.input.is_headset;
-    if (!frame.input.is_headset || frame.state.stand) return;
+    if (!frame.input.is_headset || frame.state.stand || !is_finite_matrix(matrix_of(frame.input.head)))
+        return;
     frame.state.stand = stand_of(frame.input.head);
     put_on_table(frame.state, frame.model, *frame.state.stand);
     interaction.boards_moved = true;
@@ -160,8 +172,10 @@ void interact(
     }
     settle(frame);
     play(state, model, std::clamp(passed, 0.0, kLongestFrame), interaction.step_age);
+    const glm::mat4 before = state.placement;
     press_buttons(frame);
     carry_model(frame);
+    if (!is_finite_matrix(state.placement)) state.placement = before;
     prober.set_look(make_look(state, model, input.is_headset));
     point_hands(frame);
     point_mouse(frame);

@@ -412,5 +412,29 @@ TEST(Hands, a_button_that_is_down_when_a_hand_comes_is_no_press) {
     EXPECT_TRUE(room.viewer.state.sound);
 }
 
+TEST(Hands, a_hand_or_head_whose_place_is_no_number_moves_nothing) {
+    Room room(sensed_squares());
+    const float nowhere = std::nanf("");
+    room.hand(kRight).squeeze = 1;
+    room.next();
+    const glm::mat4 before = room.viewer.state.placement;
+    const Pose grip = room.hand(kRight).grip;
+    room.hand(kRight).grip.position.x = nowhere;
+    room.hand(kRight).aim.position.x = nowhere;
+    EXPECT_FALSE(room.next().probed);
+    EXPECT_EQ(room.viewer.state.placement, before);
+    room.hand(kRight).grip = grip;
+    room.move(kRight, {0, 0.1F, 0});
+    room.next();
+    EXPECT_NE(room.viewer.state.placement, before) << "it is held as before";
+    room.hand(kRight).squeeze = 0;
+    room.viewer.state.stand.reset();
+    const glm::mat4 there = room.viewer.state.placement;
+    room.input.head.position.y = room.input.head.position.z = nowhere;
+    room.next();
+    EXPECT_EQ(room.viewer.state.placement, there);
+    EXPECT_FALSE(room.viewer.state.stand) << "the room waits until the head is somewhere";
+}
+
 }  // namespace
 }  // namespace feelem::viewer::test
