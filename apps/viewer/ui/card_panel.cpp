@@ -52,6 +52,24 @@ void icons_of(const Pen& pen, const UiCardRow& row) {
     }
 }
 
+/// Icons before the label, or under it where they would tear its words.
+void label_of_row(const Pen& pen, const UiCardRow& row) {
+    const float icons = static_cast<float>(row.senses.size()) * (ImGui::GetFontSize() + pen.points(3));
+    std::string_view rest = row.label;
+    float longest = 0;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        longest = std::max(longest, width_of(rest.substr(0, end)));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    const bool fits = icons + longest <= ImGui::GetContentRegionAvail().x;
+    if (fits) icons_of(pen, row);
+    lines(row.label);
+    if (fits || row.senses.empty()) return;
+    icons_of(pen, row);
+    ImGui::NewLine();
+}
+
 void right_cell(std::string_view line, ImU32 colour, ImFont* font) {
     ImGui::PushFont(font);
     text_to_the_right(line, colour);
@@ -61,8 +79,7 @@ void right_cell(std::string_view line, ImU32 colour, ImFont* font) {
 void card_row(Pen& pen, const UiCardRow& row) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    icons_of(pen, row);
-    lines(row.label);
+    label_of_row(pen, row);
     ImGui::TableNextColumn();
     const bool is_missing = std::isnan(row.value);
     const ImU32 ink = row.beyond ? pen.colours.alarm : is_missing ? pen.colours.soft : pen.colours.ink;

@@ -229,7 +229,9 @@ void card_sheet(Pen& pen, const UiRect& stage) {
     const ImGuiWindowFlags flags = card.is_pinned ? kFloating : kFloating | ImGuiWindowFlags_NoInputs;
     ImGui::Begin("card", nullptr, flags);
     pen.group = "";
+    ImGui::PushStyleColor(ImGuiCol_Border, pen.colours.line);
     card_panel(pen, card);
+    ImGui::PopStyleColor();
     ImGui::End();
 }
 

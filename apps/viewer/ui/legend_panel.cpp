@@ -181,6 +181,7 @@ float height_below(const Pen& pen, const UiLegend& legend) {
 void range_form(Pen& pen, const UiLegend& legend) {
     const float width = pen.points(92);
     for (const bool is_upper : {true, false}) {
+        ImGui::AlignTextToFramePadding();
         soft_text(pen, is_upper ? "to" : "from");
         ImGui::SameLine(pen.points(52));
         const double now = is_upper ? legend.range.hi : legend.range.lo;
@@ -206,6 +207,7 @@ void outside_form(Pen& pen, const UiLegend& legend) {
         );
         pen.target(name);
         ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
         soft_text(pen, word);
         if (!changed) return;
         ColourEffect effect = legend.colour;
@@ -256,12 +258,14 @@ void legend_settings(Pen& pen) {
         std::ranges::replace(maps.back(), '_', ' ');
     }
     ColourEffect effect = legend.colour;
+    ImGui::AlignTextToFramePadding();
     soft_text(pen, "map");
     ImGui::SameLine(pen.points(52));
     if (const auto chosen = choice(pen, "map", maps, on, pen.points(112))) {
         effect.map = std::string(colour_maps()[*chosen]);
         pen.wish(SetColour{effect});
     }
+    ImGui::AlignTextToFramePadding();
     soft_text(pen, "bands");
     ImGui::SameLine(pen.points(52));
     if (const auto typed = number_field(pen, "bands", effect.bands, pen.points(92))) {

@@ -46,6 +46,18 @@ private:
     int count_ = 0;
 };
 
+/// Bytes of the longest part from the front that is not wider; at least one letter.
+std::size_t part_that_fits(std::string_view word, float width) {
+    std::size_t end = 0;
+    while (end < word.size()) {
+        std::size_t next = end + 1;
+        while (next < word.size() && (static_cast<unsigned char>(word[next]) & 0xC0U) == 0x80U) ++next;
+        if (end > 0 && width_of(word.substr(0, next)) > width) break;
+        end = next;
+    }
+    return end;
+}
+
 /// With line breaks where a line of this width is full.
 std::string broken(std::string_view line, float width) {
     std::string out;
@@ -62,9 +74,16 @@ std::string broken(std::string_view line, float width) {
             out += fits ? ' ' : '\n';
             used = fits ? used + space : 0;
         }
-        out += word;
-        used += wide;
         line.remove_prefix(std::min(end + 1, line.size()));
+        std::string_view rest = word;
+        for (; width_of(rest) > width; used = 0) {
+            const std::size_t fits = part_that_fits(rest, width);
+            if (fits == rest.size()) break;
+            out.append(rest.substr(0, fits)) += '\n';
+            rest.remove_prefix(fits);
+        }
+        out += rest;
+        used += width_of(rest);
     }
     return out;
 }

@@ -101,6 +101,17 @@ protected:
         for (const char* section :
              {"limits/fold", "section/fold", "notes/fold", "certificate/fold", "legend/settings"})
             hand->click(section);
+        if (std::getenv("FEELEM_UI_PICTURES") != nullptr) keep_unfolded();
+    }
+    void keep_unfolded() {
+        glDisable(GL_RASTERIZER_DISCARD);
+        Canvas canvas(kTall, {150, 155, 158});
+        model.show_help = true;
+        hand->frames(3);
+        keep_for_people(canvas.read(), "unfolded");
+        model.show_help = false;
+        hand->frames(2);
+        glEnable(GL_RASTERIZER_DISCARD);
     }
 
     UiModel model;
