@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace feelem::viewer {
 namespace {
@@ -69,25 +70,82 @@ std::uint64_t scattered(std::uint64_t key) {
     return key ^ key >> 31;
 }
 
+bool is_in(const PartRange& part, std::uint32_t vertex) {
+    return vertex >= part.first_vertex && vertex - part.first_vertex < part.vertices;
+}
+
+/// The part of a triangle, near the one before it.
+std::uint32_t part_of(const Geometry& geometry, std::uint32_t vertex, std::uint32_t last) {
+    if (is_in(geometry.parts[last], vertex)) return last;
+    std::uint32_t part = 0;
+    while (part + 1 < geometry.parts.size() && !is_in(geometry.parts[part], vertex)) ++part;
+    return part;
+}
+
+/// Every third bit.
+std::uint64_t spread_bits(std::uint64_t number) {
+    number &= 0x7FFFF;
+    number = (number | number << 32) & 0x1F00000000FFFF;
+    number = (number | number << 16) & 0x1F0000FF0000FF;
+    number = (number | number << 8) & 0x100F00F00F00F00F;
+    number = (number | number << 4) & 0x10C30C30C30C30C3;
+    return (number | number << 2) & 0x1249249249249249;
+}
+
+/// Which of six ways a triangle faces, then where its middle is along a curve that fills space.
+std::uint64_t order_key(const Geometry& geometry, const std::array<std::uint32_t, 3>& triangle) {
+    const glm::vec3 a = place_of(geometry, triangle[0]), b = place_of(geometry, triangle[1]),
+                    c = place_of(geometry, triangle[2]);
+    const glm::vec3 normal = glm::cross(b - a, c - a), size = glm::abs(normal);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto way = static_cast<std::uint64_t>(2 * axis + (normal[axis] < 0 ? 1 : 0));
+    std::uint64_t key = 0;
+    for (int k = 0; k < 3; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        const float low = geometry.low[i], extent = geometry.high[i] - low;
+        const float along = extent > 0 ? ((a[k] + b[k] + c[k]) / 3 - low) / extent : 0;
+        constexpr float kMost = 0x7FFFF;
+        const float held = std::isfinite(along) ? std::clamp(along * kMost, 0.0F, kMost) : 0;
+        key |= spread_bits(static_cast<std::uint64_t>(held)) << k;
+    }
+    return way << 57 | key;
+}
+
 }  // namespace
+
+std::vector<std::array<std::uint32_t, 3>> clustered_order(const Geometry& geometry, Triangles triangles) {
+    std::vector<std::array<std::uint32_t, 3>> out;
+    out.reserve(triangles.size());
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> run;
+    std::uint32_t part = 0;
+    for (std::size_t first = 0; first < triangles.size();) {
+        part = part_of(geometry, triangles[first][0], part);
+        run.clear();
+        std::size_t next = first;
+        for (; next < triangles.size() && is_in(geometry.parts[part], triangles[next][0]); ++next)
+            run.emplace_back(order_key(geometry, triangles[next]), static_cast<std::uint32_t>(next));
+        if (next == first) {
+            // Of no part: it stays where it is.
+            run.emplace_back(0, static_cast<std::uint32_t>(first));
+            ++next;
+        }
+        std::ranges::sort(run);
+        for (const auto& [key, triangle] : run) out.push_back(triangles[triangle]);
+        first = next;
+    }
+    return out;
+}
 
 std::vector<Cluster> make_clusters(const Geometry& geometry, Triangles triangles) {
     std::vector<Cluster> out;
     out.reserve(triangles.size() / kLeastOfCluster + geometry.parts.size() + 1);
     std::uint32_t part = 0;
-    const auto is_in = [&](std::uint32_t vertex, std::uint32_t p) {
-        const PartRange& range = geometry.parts[p];
-        return vertex >= range.first_vertex && vertex - range.first_vertex < range.vertices;
-    };
     for (std::uint32_t first = 0; first < triangles.size();) {
-        const std::uint32_t vertex = triangles[first][0];
-        if (!is_in(vertex, part)) {
-            part = 0;
-            while (part + 1 < geometry.parts.size() && !is_in(vertex, part)) ++part;
-        }
+        part = part_of(geometry, triangles[first][0], part);
         Cluster cluster{.first = first, .triangles = 1, .part = part};
         for (std::uint32_t next = first + 1; next < triangles.size(); ++next) {
-            if (cluster.triangles == kMostOfCluster || !is_in(triangles[next][0], part)) break;
+            if (cluster.triangles == kMostOfCluster || !is_in(geometry.parts[part], triangles[next][0]))
+                break;
             if (cluster.triangles >= kLeastOfCluster && !share_corner(triangles[next - 1], triangles[next]))
                 break;
             ++cluster.triangles;

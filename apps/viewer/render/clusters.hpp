@@ -30,6 +30,10 @@ struct Cluster {
     float spread = 2;
 };
 
+/// The triangles of each part so that neighbours that face the same way follow each other: solvers number
+/// elements as they like, and both sides of a thin wall in turn.
+std::vector<std::array<std::uint32_t, 3>> clustered_order(const Geometry& geometry, Triangles triangles);
+
 /// In the order of the triangles; a cluster lies in one part. From kLeastOfCluster on it ends where the list
 /// jumps.
 std::vector<Cluster> make_clusters(const Geometry& geometry, Triangles triangles);

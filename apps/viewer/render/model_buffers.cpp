@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "viewer/render/model_buffers.hpp"
 
+#include "viewer/render/clusters.hpp"
 #include "viewer/render/shaders.hpp"
 
 #include "feelem/error.hpp"
@@ -127,8 +128,9 @@ ModelBuffers::ModelBuffers(
     values_ = make_buffer(4 * vertices_, "values");
     missing_ = make_buffer(vertices_, "marks of missing values");
     IndexList& full = lists_[std::nullopt];
-    full.buffer = make_buffer(12 * geometry.triangles.size(), "triangles");
-    geometry_queue_.add(full.buffer.get(), bytes_of(geometry.triangles), uploaded_.geometry);
+    full.triangles = clustered_order(geometry, geometry.triangles);
+    full.buffer = make_buffer(12 * full.triangles.size(), "triangles");
+    geometry_queue_.add(full.buffer.get(), bytes_of(full.triangles), uploaded_.geometry);
     make_skin_array();
     make_edge_array();
 }
@@ -212,11 +214,6 @@ void ModelBuffers::make_edge_array() {
     glVertexArrayElementBuffer(array, edge_index_.get());
 }
 
-std::span<const std::array<std::uint32_t, 3>> ModelBuffers::triangles(std::optional<std::size_t> level
-) const {
-    return level ? std::span(model_.level(*level)) : std::span(model_.geometry->triangles);
-}
-
 void ModelBuffers::want(const Look& look) {
     want_field(look.field);
     want_vectors(shape_, look.shape ? std::optional(look.shape->field) : std::nullopt, moves_, vectors_);
@@ -273,9 +270,9 @@ void ModelBuffers::want_level(const std::optional<std::size_t>& level) {
     const auto [at, is_new] = lists_.try_emplace(level);
     IndexList& list = at->second;
     if (is_new) {
-        const auto triangles = this->triangles(level);
-        list.buffer = make_buffer(triangles.size_bytes(), "triangles of a level");
-        level_queue_.add(list.buffer.get(), std::as_bytes(triangles), uploaded_.level);
+        list.triangles = clustered_order(*model_.geometry, model_.level(level.value_or(0)));
+        list.buffer = make_buffer(12 * list.triangles.size(), "triangles of a level");
+        level_queue_.add(list.buffer.get(), bytes_of(list.triangles), uploaded_.level);
     }
     if (list.is_here) drawn_ = level;
 }

@@ -61,7 +61,9 @@ public:
         std::optional<std::size_t> level;  ///< Empty: the full one.
     };
     List list() const noexcept { return {lists_.at(drawn_).buffer.get(), drawn_}; }
-    std::span<const std::array<std::uint32_t, 3>> triangles(std::optional<std::size_t> level) const;
+    std::span<const std::array<std::uint32_t, 3>> triangles(std::optional<std::size_t> level) const {
+        return lists_.at(level).triangles;
+    }
 
     /// `eyes`: instances that are drawn of each triangle.
     GLuint skin(std::size_t eyes);
@@ -83,6 +85,7 @@ private:
     struct IndexList {
         Buffer buffer;
         bool is_here = false;
+        std::vector<std::array<std::uint32_t, 3>> triangles;  ///< In the order that they are drawn in.
     };
     void make_skin_array();
     void make_edge_array();

@@ -50,16 +50,14 @@ void add_mark(const Mark& mark, std::vector<MarkVertex>& out) {
     }
 }
 
-/// The text stands above its place: plate first, then letters.
+/// The middle of the text is at its place: plate first, then letters.
 void add_label(const Label& label, const PlacedText& text, std::vector<LabelVertex>& out) {
     const glm::vec2 half(text.width / 2 + kPlateMargin.x, kCapitalUnits / 2 + kPlateMargin.y);
-    // Room for the mark below.
-    const float baseline = kPlateMargin.y + 7;
-    const glm::vec2 middle(0, baseline + kCapitalUnits / 2);
+    const float baseline = -kCapitalUnits / 2;
     const glm::vec2 reach = half + 0.5F;
     for (const auto& [x, y] : kCorners) {
         const glm::vec2 corner = reach * glm::vec2(2 * x - 1, 2 * y - 1);
-        out.push_back({label.place, middle + corner, corner, kPlate, {half.x, half.y, 1}, label.height});
+        out.push_back({label.place, corner, corner, kPlate, {half.x, half.y, 1}, label.height});
     }
     for (const PlacedGlyph& glyph : text.glyphs) {
         for (const auto& [x, y] : kCorners) {

@@ -36,6 +36,32 @@ TEST(Clusters, hold_each_triangle_once_and_lie_in_one_part) {
     EXPECT_EQ(next, model.geometry.triangles.size());
 }
 
+TEST(Clusters, of_a_thin_wall_face_one_way_however_its_elements_are_numbered) {
+    // A thin plate whose front and back are listed in turn, in parts of two plates.
+    SmallModel model = box_model({1, 1, 0.01F}, 30);
+    auto& triangles = model.geometry.triangles;
+    const std::size_t side = triangles.size() / 6;
+    std::vector<std::array<std::uint32_t, 3>> mixed;
+    for (std::size_t i = 0; i < side; ++i)
+        for (std::size_t k = 0; k < 6; ++k) mixed.push_back(triangles[(i * 7 + k) % side + k * side]);
+    triangles = mixed;
+    append(model, SmallModel(model));
+
+    const auto ordered = clustered_order(model.geometry, triangles);
+    const auto cones = [&](Triangles list) {
+        const auto clusters = make_clusters(model.geometry, list);
+        return std::ranges::count_if(clusters, [](const Cluster& cluster) { return cluster.spread < 0.1F; });
+    };
+    EXPECT_EQ(cones(triangles), 0);
+    EXPECT_GT(cones(ordered), static_cast<std::ptrdiff_t>(triangles.size() / kMostOfCluster));
+    auto once = ordered, given = triangles;
+    std::ranges::sort(once);
+    std::ranges::sort(given);
+    EXPECT_EQ(once, given);
+    for (std::size_t t = 0; t < ordered.size(); ++t)
+        EXPECT_EQ(ordered[t][0] >= model.geometry.parts[1].first_vertex, t >= ordered.size() / 2);
+}
+
 TEST(Clusters, spheres_and_cones_hold_what_is_in_them) {
     const SmallModel model = ball_model(50);
     const Geometry& geometry = model.geometry;
@@ -124,7 +150,7 @@ TEST(Clusters, hold_what_they_hold_also_when_it_is_moved) {
 
 TEST(Clusters, neighbours_that_are_seen_become_one_command) {
     SmallModel model = box_model({1, 1, 1}, 10);
-    append(model, model);
+    append(model, SmallModel(model));
     const auto clusters = make_clusters(model.geometry, model.geometry.triangles);
     VisibleQuestion question{.clusters = clusters, .is_culled = false, .instances = 2};
 
