@@ -144,6 +144,21 @@ def levels(_):
             table(["peer", "at a proven error of", "Feelem's triangles", "the peer's", "times"], peers) + source("lod", data))
 
 
+def viewer(_):
+    data = load("viewer-5m")
+    def sent(step):
+        return ", ".join(f"{step[key + '_bytes'] / 1e6:.1f} MB {word}" for key, word in
+                         (("geometry", "geometry"), ("field", "values"), ("displacement", "displacement")) if step.get(key + "_bytes"))
+    def culled(step):
+        return f"{step['clusters_culled']:,} of {step['clusters']:,}" if "clusters" in step else ""
+    rows = [[step["step"], f"{step['wall']:.3f}", f"{step['cpu']:.3f}", f"{step['peak_mib']:,.0f}",
+             f"{step['triangles']:,}" if "triangles" in step else "", culled(step), sent(step)] for step in data["steps"]]
+    head = ["step", "wall s", "CPU s", "peak MiB so far", "triangles drawn", "clusters left out", "sent to the card"]
+    facts = (f"{data['triangles']:,} triangles, {data['vertices']:,} vertices, {data['edges']:,} edges; scene of "
+             f"{data['scene_bytes'] / 1e6:.0f} MB; drawn by {data['renderer']}.")
+    return facts + "\n\n" + table(head, rows) + source("viewer-5m", data)
+
+
 def measured(name, make):
     """A table, or the plain word that there is none."""
     return lambda program: make(program) if (RESULTS / f"{name}.json").exists() else "Not measured yet."
@@ -158,4 +173,5 @@ TABLES = {
     "bench-end-to-end": measured("end-to-end", end_to_end),
     "bench-wire": measured("wire", wire),
     "bench-levels": measured("lod", levels),
+    "bench-viewer": measured("viewer-5m", viewer),
 }
