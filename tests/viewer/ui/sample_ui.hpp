@@ -53,7 +53,6 @@ protected:
 glm::vec2 middle_of(const std::vector<UiTarget>& targets, std::string_view name);
 
 /// Numbers of a picture beside tests/viewer/ui/golden/NAME.txt, which FEELEM_UPDATE_GOLDEN=1 writes anew.
-/// Skipped in part where the fonts are others.
 void compare_with_golden(const std::vector<int>& numbers, const std::string& name);
 
 /// Where a picture is written for people when FEELEM_UI_PICTURES names a folder.
