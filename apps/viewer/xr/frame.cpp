@@ -124,6 +124,7 @@ void Session::show_panels(std::span<const XrQuad> quads, std::vector<XrCompositi
                 handle(), PictureInfo{formats_.colour, false, quad.width, quad.height}
             );
             mend("xrCreateSwapchain");
+            panel.picture->make_framebuffers();
         }
         if (quad.has_changed || !panel.is_filled) {
             panel.picture->acquire();

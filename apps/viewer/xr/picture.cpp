@@ -57,7 +57,9 @@ Picture::Picture(XrSession session, const PictureInfo& info)
         }
     );
     for (const auto& image : images) textures_.push_back(image.image);
-    if (info.is_depth) return;
+}
+
+void Picture::make_framebuffers() {
     framebuffers_.resize(textures_.size());
     glCreateFramebuffers(static_cast<GLsizei>(framebuffers_.size()), framebuffers_.data());
     for (std::size_t i = 0; i < textures_.size(); ++i)

@@ -33,6 +33,9 @@ public:
     Picture(const Picture&) = delete;
     Picture& operator=(const Picture&) = delete;
 
+    /// To be drawn into. Not done when it is made: the runtime may have taken our OpenGL context away
+    /// meanwhile.
+    void make_framebuffers();
     /// Waits until the compositor lets go of an image, at most a second. Throws Failure.
     void acquire();
     void release();

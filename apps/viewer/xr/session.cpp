@@ -121,6 +121,7 @@ void Session::make_eyes() {
         info.height = static_cast<int>(sizes[i].recommendedImageRectHeight);
         eyes_[i].colour = std::make_unique<Picture>(handle(), info);
         mend("xrCreateSwapchain");
+        eyes_[i].colour->make_framebuffers();
         if (!parts_.instance->enabled.depth || formats_.depth == 0) continue;
         info.format = formats_.depth;
         info.is_depth = true;
