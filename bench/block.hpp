@@ -67,21 +67,28 @@ struct Block {
         const auto p = position(id);
         return {p[0] + std::sin(0.37 * id), p[1] + std::sin(0.59 * id), p[2] + std::sin(0.83 * id)};
     }
-    /// use(nodes) for each hex8, along x first.
+    /// use(id, place) for each node.
+    template <class Use>
+    void for_each_node(const Use& use) const {
+        for (int id = 1; id <= node_count(); ++id) use(id, archived(id));
+    }
+    /// use(id, nodes) for each hex8, along x first.
     template <class Use>
     void for_each_element(const Use& use) const {
+        int id = 0;
         for (int z = 0; z + 1 < side; ++z) {
             for (int y = 0; y + 1 < side; ++y) {
                 for (int x = 0; x + 1 < side; ++x) {
-                    use(std::array<int, 8>{
-                        node(x, y, z),
-                        node(x + 1, y, z),
-                        node(x + 1, y + 1, z),
-                        node(x, y + 1, z),
-                        node(x, y, z + 1),
-                        node(x + 1, y, z + 1),
-                        node(x + 1, y + 1, z + 1),
-                        node(x, y + 1, z + 1)});
+                    use(++id,
+                        std::array<int, 8>{
+                            node(x, y, z),
+                            node(x + 1, y, z),
+                            node(x + 1, y + 1, z),
+                            node(x, y + 1, z),
+                            node(x, y, z + 1),
+                            node(x + 1, y, z + 1),
+                            node(x + 1, y + 1, z + 1),
+                            node(x, y + 1, z + 1)});
                 }
             }
         }

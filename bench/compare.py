@@ -80,7 +80,7 @@ def compare(options, mesh, cells, numbering, runs):
             chains.append(vtk(options, "chain", mesh, cells, numbering))
     peer = filters[0]
     row = {"mesh": mesh.split("=")[0], "numbering": numbering, "cells": peer["cells"], "facets": peer["facets"],
-           "runs": runs, "load": round(os.getloadavg()[0], 1)}
+           "runs": runs, "load": round(os.getloadavg()[0], 1), "commit": commit()}
     for name, found in (("vtk_filter", filters), ("vtk_chain", chains),
                         *((stage, [one[stage] for one in mine]) for stage in STAGES)):
         if found:
@@ -127,6 +127,7 @@ def main():
     options.add_argument("--growth", default="", help="meshes whose growth from an eighth of the cells is measured")
     options.add_argument("--free", type=Path, help="a mesh of free_tets.py, as it is numbered")
     options.add_argument("--bin", type=Path, default=HERE.parent / "build/release/bin")
+    options.add_argument("--keep", action="store_true", help="what the report holds already and this run does not measure stays in it, each with its commit")
     options.add_argument("--name", default="skin-8m")
     options = options.parse_args()
     if not (options.bin / "bench_vtk_skin").exists():
@@ -141,7 +142,17 @@ def main():
     result = HERE / "results" / f"{options.name}.json"
     result.parent.mkdir(exist_ok=True)
 
+    before = json.loads(result.read_text()) if options.keep and result.exists() else None
+
     def keep():
+        if before:
+            rows = {(row["mesh"], row["numbering"]): {"commit": before["commit"], **row} for row in before["rows"]}
+            rows |= {(row["mesh"], row["numbering"]): row for row in report["rows"]}
+            full = {**report, "rows": list(rows.values())}
+            if not report["growth"]:
+                full |= {key: before[key] for key in ("growth", "growth_commit", "growth_command") if key in before}
+            result.write_text(json.dumps(full, indent=1) + "\n")
+            return
         result.write_text(json.dumps(report, indent=1) + "\n")
 
     for mesh, numbering, *runs in pairs:

@@ -23,18 +23,16 @@ std::string real(double value) {
 void write_nodes(Writer& out, const Block& block) {
     out.line("NBLOCK,6,SOLID,{:10d},{:10d}", block.node_count(), block.node_count());
     out.line("(3i9,6e21.13e3)");
-    for (int id = 1; id <= block.node_count(); ++id) {
-        const auto p = block.archived(id);
+    block.for_each_node([&](int id, const auto& p) {
         out.line("{:9d}{:9d}{:9d}{}{}{}", id, 0, 0, real(p[0]), real(p[1]), real(p[2]));
-    }
+    });
     out.line("N,UNBL,LOC,       -1,");
 }
 
 void write_elements(Writer& out, const Block& block) {
     out.line("EBLOCK,19,SOLID,{:10d},{:10d}", block.element_count(), block.element_count());
     out.line("(19i10)");
-    int element = 0;
-    block.for_each_element([&](const std::array<int, 8>& n) {
+    block.for_each_element([&](int id, const std::array<int, 8>& n) {
         out.line(
             "{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}"
             "{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}",
@@ -48,7 +46,7 @@ void write_elements(Writer& out, const Block& block) {
             0,
             8,
             0,
-            ++element,
+            id,
             n[0],
             n[1],
             n[2],

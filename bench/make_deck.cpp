@@ -4,7 +4,6 @@
 #include "block.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -14,33 +13,6 @@ namespace {
 
 using bench::Block;
 using bench::Writer;
-
-/// No round numbers: a real mesh has none.
-std::array<double, 3> place(const Block& block, int id) {
-    const auto p = block.position(id);
-    return {p[0] + std::sin(0.37 * id), p[1] + std::sin(0.59 * id), p[2] + std::sin(0.83 * id)};
-}
-
-template <class Use>
-void for_each_element(const Block& block, const Use& use) {
-    int element = 0;
-    for (int z = 0; z + 1 < block.side; ++z) {
-        for (int y = 0; y + 1 < block.side; ++y) {
-            for (int x = 0; x + 1 < block.side; ++x) {
-                use(++element,
-                    std::array<int, 8>{
-                        block.node(x, y, z),
-                        block.node(x + 1, y, z),
-                        block.node(x + 1, y + 1, z),
-                        block.node(x, y + 1, z),
-                        block.node(x, y, z + 1),
-                        block.node(x + 1, y, z + 1),
-                        block.node(x + 1, y + 1, z + 1),
-                        block.node(x, y + 1, z + 1)});
-            }
-        }
-    }
-}
 
 /// A float of nine digits, always with a point.
 std::string cae_real(double value) {
@@ -53,13 +25,12 @@ void write_inp(Writer& out, const Block& block) {
     out.line("*Heading");
     out.line("** Job name: block Model name: Model-1");
     out.line("*Node");
-    for (int id = 1; id <= block.node_count(); ++id) {
-        const auto p = place(block, id);
+    block.for_each_node([&](int id, const auto& p) {
         out.line("{:7d}, {:>12}, {:>12}, {:>12}", id, cae_real(p[0]), cae_real(p[1]), cae_real(p[2]));
-    }
+    });
     out.line("*Element, type=C3D8R");
     const auto width = static_cast<int>(std::to_string(block.node_count()).size());
-    for_each_element(block, [&](int id, const std::array<int, 8>& n) {
+    block.for_each_element([&](int id, const std::array<int, 8>& n) {
         out.line(
             "{8:{9}d}, {0:{9}d}, {1:{9}d}, {2:{9}d}, {3:{9}d}, {4:{9}d}, {5:{9}d}, {6:{9}d}, {7:{9}d}",
             n[0],
@@ -145,8 +116,8 @@ void write_bdf(Writer& out, const Block& block, Form form) {
     out.line("CEND");
     out.line("TITLE = block");
     out.line("BEGIN BULK");
-    for (int id = 1; id <= block.node_count(); ++id) write_grid(out, form, id, place(block, id));
-    for_each_element(block, [&](int id, const std::array<int, 8>& n) { write_hexa(out, form, id, n); });
+    block.for_each_node([&](int id, const auto& p) { write_grid(out, form, id, p); });
+    block.for_each_element([&](int id, const std::array<int, 8>& n) { write_hexa(out, form, id, n); });
     out.line("PSOLID,1,1");
     out.line("MAT1,1,2.1E+5,,0.3");
     out.line("ENDDATA");
@@ -159,12 +130,11 @@ void write_vtk(Writer& out, const Block& block) {
     out.line("ASCII");
     out.line("DATASET UNSTRUCTURED_GRID");
     out.line("POINTS {} double", block.node_count());
-    for (int id = 1; id <= block.node_count(); ++id) {
-        const auto p = place(block, id);
+    block.for_each_node([&](int, const auto& p) {
         out.line("{} {} {}", cae_real(p[0]), cae_real(p[1]), cae_real(p[2]));
-    }
+    });
     out.line("CELLS {} {}", block.element_count(), 9 * block.element_count());
-    for_each_element(block, [&](int, const std::array<int, 8>& n) {
+    block.for_each_element([&](int, const std::array<int, 8>& n) {
         out.line(
             "8 {} {} {} {} {} {} {} {}",
             n[0] - 1,

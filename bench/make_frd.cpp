@@ -26,25 +26,20 @@ void write_mesh(Writer& out, const Block& block) {
     }
     out.line(" -3");
     out.line("    3C{:30d}{:38d}", block.element_count(), 1);
-    int element = 0;
-    for (int z = 0; z + 1 < block.side; ++z) {
-        for (int y = 0; y + 1 < block.side; ++y) {
-            for (int x = 0; x + 1 < block.side; ++x) {
-                out.line(" -1{:10d}{:5d}{:5d}{:5d}", ++element, 1, 0, 1);
-                out.line(
-                    " -2{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}",
-                    block.node(x, y, z),
-                    block.node(x + 1, y, z),
-                    block.node(x + 1, y + 1, z),
-                    block.node(x, y + 1, z),
-                    block.node(x, y, z + 1),
-                    block.node(x + 1, y, z + 1),
-                    block.node(x + 1, y + 1, z + 1),
-                    block.node(x, y + 1, z + 1)
-                );
-            }
-        }
-    }
+    block.for_each_element([&](int id, const std::array<int, 8>& n) {
+        out.line(" -1{:10d}{:5d}{:5d}{:5d}", id, 1, 0, 1);
+        out.line(
+            " -2{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}",
+            n[0],
+            n[1],
+            n[2],
+            n[3],
+            n[4],
+            n[5],
+            n[6],
+            n[7]
+        );
+    });
     out.line(" -3");
 }
 

@@ -31,11 +31,10 @@ std::string path_of(const std::string& folder, const char* name) {
 void write_nodes(const std::string& path, const Block& block) {
     Writer out(path.c_str());
     out.line("\n LIST ALL SELECTED NODES.   DSYS=      0");
-    for (int id = 1; id <= block.node_count(); ++id) {
+    block.for_each_node([&](int id, const auto& p) {
         if (id % 20 == 1)
             out.line("\n    NODE        X                   Y                   Z                THXY     "
                      "THYZ     THZX");
-        const auto p = block.archived(id);
         out.line(
             "{:8d}{:>22}{:>20}{:>20}     0.00     0.00     0.00",
             id,
@@ -43,15 +42,14 @@ void write_nodes(const std::string& path, const Block& block) {
             general(p[1], 12),
             general(p[2], 12)
         );
-    }
+    });
 }
 
 void write_elements(const std::string& path, const Block& block) {
     Writer out(path.c_str());
     out.line("\n LIST ALL SELECTED ELEMENTS.  (LIST NODES)");
-    int id = 0;
-    block.for_each_element([&](const std::array<int, 8>& n) {
-        if (id++ % 20 == 0) out.line("\n    ELEM MAT TYP REL ESY SEC        NODES\n");
+    block.for_each_element([&](int id, const std::array<int, 8>& n) {
+        if (id % 20 == 1) out.line("\n    ELEM MAT TYP REL ESY SEC        NODES\n");
         out.line(
             "{:8d}{:4d}{:4d}{:4d}{:4d}{:4d}      {:8d}{:8d}{:8d}{:8d}{:8d}{:8d}{:8d}{:8d}",
             id,

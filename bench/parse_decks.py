@@ -76,7 +76,7 @@ def beside_meshio(options, form):
     """The same file through both."""
     path = made(options, form, options.peer_side)
     runs = run_alternating({"meshio": [PYTHON, HERE / "peers/read_meshio.py", path],
-                            "feelem": [options.bin / "bench_read_model", path, 1, 1]}, options.rounds, cores={0})
+                            "feelem": [options.bin / "bench_read_model", path, 1, 1]}, options.rounds, cores={0}, alone=True)
     prove_equal(path.name, json.loads(runs["feelem"][0].out), json.loads(runs["meshio"][0].out))
     faster = times_faster(runs["meshio"], runs["feelem"])
     rows = [row_of("meshio", path, runs["meshio"]),
@@ -92,7 +92,7 @@ def beside_vtk(options):
     files = {form: made(options, form, options.side) for form in [*DECKS, "frd"]}
     commands = {"VTK": [PYTHON, HERE / "peers/read_vtk_text.py", vtk]}
     commands |= {form: [options.bin / "bench_read_model", path, 1, 1] for form, path in files.items()}
-    runs = run_alternating(commands, options.rounds, cores={0})
+    runs = run_alternating(commands, options.rounds, cores={0}, alone=True)
     theirs = json.loads(runs["VTK"][0].out)
     prove_equal("inp", json.loads(runs["inp"][0].out), theirs)
     for form in files:

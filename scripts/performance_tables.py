@@ -62,9 +62,9 @@ def skin(_):
         chain = times(row["stage_times_faster"]) if "stage_times_faster" in row else ""
         rows.append([row["mesh"], row["numbering"], f"{row['cells']:,}", f"{row['facets']:,}", row["runs"],
                      seconds(row["vtk_filter_cpu"]), seconds(row["compact_cpu"]), times(row["surface_times_faster"]), chain,
-                     f"{row['compact_bytes_a_cell']} / {row['stage_bytes_a_cell']}", row["vtk_filter_bytes_a_cell"]])
+                     f"{row['compact_bytes_a_cell']} / {row['stage_bytes_a_cell']}", row["vtk_filter_bytes_a_cell"], row.get("commit", data["commit"])])
     head = ["mesh", "numbering", "cells", "facets", "runs", "VTK s", "Feelem s", "surface: times faster", "whole stage: times faster",
-            "bytes a cell (surface / stage)", "VTK's"]
+            "bytes a cell (surface / stage)", "VTK's", "commit"]
     return table(head, rows) + source("skin-8m", data)
 
 

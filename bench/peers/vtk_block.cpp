@@ -49,14 +49,13 @@ void make(int side, const char* path, bool ascii) {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(block.node_count());
-    for (int id = 1; id <= block.node_count(); ++id) {
-        const auto p = block.archived(id);
+    block.for_each_node([&](int id, const auto& p) {
         points->SetPoint(id - 1, printed(p[0]), printed(p[1]), printed(p[2]));
-    }
+    });
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(points);
     grid->Allocate(block.element_count());
-    block.for_each_element([&](const std::array<int, 8>& nodes) {
+    block.for_each_element([&](int, const std::array<int, 8>& nodes) {
         std::array<vtkIdType, 8> ids{};
         for (std::size_t i = 0; i < 8; ++i) ids[i] = nodes[i] - 1;
         grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids.data());
