@@ -10,6 +10,11 @@ constexpr std::array kSkinVaryings{
     Varying{"centroid", "float", "value"},
     // At the middle of the pixel, wherever that is: lines need its slope.
     Varying{"", "float", "running"},
+    // More than 0 where a corner is beyond the range: between corners within it no rounding of what is tiny
+    // on the
+    // screen may say so.
+    Varying{"centroid", "float", "above"},
+    Varying{"centroid", "float", "below"},
     Varying{"centroid", "float", "missing"},
     Varying{"centroid", "float", "hatch"},
     Varying{"", "vec3", "normal"},
@@ -36,6 +41,25 @@ vec3 hatched(vec3 at) {
 }
 )";
 
+/// Of both stages: planes, and where a value stands in the range.
+constexpr std::string_view kSkinShared = R"(
+uniform vec4 planes[3];
+uniform int plane_count;
+uniform float lo;
+uniform float hi;
+uniform float magnitude;
+uniform int scale_kind;
+const float SLACK = 3.0e-5;
+float symmetric_log(float v) { return sign(v) * log2(1.0 + abs(v) / (1.0e-3 * magnitude)); }
+float place_of(float v) {
+  if (!(hi > lo)) return v < lo ? -1.0 : v > hi ? 2.0 : 0.5;
+  if (scale_kind == 1) return v <= 0.0 ? -1.0 : (log2(v) - log2(lo)) / (log2(hi) - log2(lo));
+  if (scale_kind == 2) return (v + magnitude) / (2.0 * magnitude);
+  if (scale_kind == 3) return (symmetric_log(v) - symmetric_log(lo)) / (symmetric_log(hi) - symmetric_log(lo));
+  return (v - lo) / (hi - lo);
+}
+)";
+
 constexpr std::string_view kSkinVertex = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -54,6 +78,9 @@ void place(EyeMatrices eye) {
   vec4 in_view = eye.model * vec4(moved, 1.0);
   to.value = value;
   to.running = value;
+  float at = place_of(value);
+  to.above = at > 1.0 + SLACK ? 1.0 : 0.0;
+  to.below = at < -SLACK ? 1.0 : 0.0;
   to.missing = missing;
   to.hatch = dot(rest, vec3(1.0)) * hatch_scale;
   to.normal = mat3(eye.normal) * normal;
@@ -70,10 +97,6 @@ void place(EyeMatrices eye) {
 constexpr std::string_view kSkinFragment = R"(
 uniform sampler2D palette;
 uniform float palette_size;
-uniform float lo;
-uniform float hi;
-uniform float magnitude;
-uniform int scale_kind;
 uniform vec3 above_colour;
 uniform vec3 below_colour;
 uniform vec3 missing_colour;
@@ -84,18 +107,9 @@ uniform float opacity;
 uniform bool isolines;
 uniform float limit;
 uniform bool has_limit;
-const float SLACK = 3.0e-5;
-float symmetric_log(float v) { return sign(v) * log2(1.0 + abs(v) / (1.0e-3 * magnitude)); }
-float place_of(float v) {
-  if (!(hi > lo)) return v < lo ? -1.0 : v > hi ? 2.0 : 0.5;
-  if (scale_kind == 1) return v <= 0.0 ? -1.0 : (log2(v) - log2(lo)) / (log2(hi) - log2(lo));
-  if (scale_kind == 2) return (v + magnitude) / (2.0 * magnitude);
-  if (scale_kind == 3) return (symmetric_log(v) - symmetric_log(lo)) / (symmetric_log(hi) - symmetric_log(lo));
-  return (v - lo) / (hi - lo);
-}
 vec3 mapped(float t) {
-  if (t < -SLACK) return below_colour;
-  if (t > 1.0 + SLACK) return above_colour;
+  if (t < -SLACK && from.below > 0.0) return below_colour;
+  if (t > 1.0 + SLACK && from.above > 0.0) return above_colour;
   float texel = min(floor(clamp(t, 0.0, 1.0) * palette_size), palette_size - 1.0);
   return texelFetch(palette, ivec2(int(texel), 0), 0).rgb;
 }
@@ -205,7 +219,7 @@ const std::string& cap_fragment() {
 }  // namespace
 
 ProgramText skin_text() {
-    return {"skin", kSkinVaryings, false, true, kCuts, kSkinVertex, skin_fragment()};
+    return {"skin", kSkinVaryings, false, true, kSkinShared, kSkinVertex, skin_fragment()};
 }
 
 ProgramText cap_text() {

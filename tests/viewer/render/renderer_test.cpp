@@ -163,6 +163,26 @@ TEST_F(Renderers, bands_are_the_formulas_inside_triangles) {
     }
 }
 
+TEST_F(Renderers, triangles_smaller_than_a_pixel_show_nothing_beyond_the_range) {
+    SmallModel model = box_model({1, 1, 1}, 300);
+    model.add_field(0, [](const auto& p) { return 1 - 1e-4F * std::abs(std::sin(900 * p[0] + 700 * p[1])); });
+    Look look = plain_look();
+    look.range = {0.9999, 1, Scale::Linear};
+    const Camera eye = looking({0.9F, 0.7F, 1.9F}, {0, 0, 0});
+    Renderer renderer;
+    renderer.set_model(model.drawn());
+    draw_whole(renderer, input_of({&eye, 1}, look, 320, 240));
+
+    const Pixels picture = renderer.read(0);
+    int beyond = 0;
+    for (std::size_t at = 0; at < picture.rgb.size(); at += 3) {
+        // A share of the colours above and below, which no band has.
+        const int r = picture.rgb[at], g = picture.rgb[at + 1], b = picture.rgb[at + 2];
+        beyond += (r > 240 && g < 150 && b > 200) || (r > 240 && g > 200 && b < 80);
+    }
+    EXPECT_EQ(beyond, 0);
+}
+
 TEST_F(Renderers, a_triangle_with_a_missing_corner_is_missing_whole) {
     SmallModel model = box_model({1, 1, 0.01F}, 1);
     model.add_field(0, [](const auto& p) { return p[0] > 0 && p[1] > 0 ? kNan : 0.5F; });
