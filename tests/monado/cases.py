@@ -27,7 +27,7 @@ class Lines:
         if hasattr(stream, "close"):
             stream.close()
 
-    def until(self, wanted, what, seconds=20.0):
+    def until(self, wanted, what, seconds=60.0):
         """The next line for which wanted(line) holds."""
         end = time.monotonic() + seconds
         while True:
@@ -41,10 +41,10 @@ class Lines:
             if wanted(line):
                 return line
 
-    def event(self, name, seconds=20.0):
+    def event(self, name, seconds=60.0):
         return self.until(lambda line: line["event"] == name, f'"{name}"', seconds)
 
-    def rest(self, seconds=20.0):
+    def rest(self, seconds=60.0):
         """All up to the program's end."""
         end = time.monotonic() + seconds
         while (line := self.waiting.get(timeout=max(0.0, end - time.monotonic()))) is not None:

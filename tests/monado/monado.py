@@ -112,7 +112,7 @@ class Monado:
         loader = self.libraries / "ld-linux-x86-64.so.2"
         return [str(loader), "--library-path", ":".join(map(str, path)), *map(str, command)]
 
-    def start(self, seconds=10.0):
+    def start(self, seconds=60.0):
         """Starts the service and waits until it listens."""
         socket = self.home / "monado_comp_ipc"
         socket.unlink(missing_ok=True)

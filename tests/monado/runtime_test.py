@@ -24,7 +24,7 @@ def pulses_at_driver(log):
 class RuntimeTest(Case):
     def test_session_is_focused_and_painted(self):
         with Monado("simulated") as runtime:
-            result = runtime.run([given["xr_probe"], "--seconds", "1.5"])
+            result = runtime.run([given["xr_probe"], "--seconds", "60", "--frames", "20"], seconds=90)
         lines = json_lines(result.stdout)
         self.assertEqual(result.returncode, 0, result.stdout[-2000:])
         states = [line["state"] for line in lines if line["event"] == "state"]
@@ -39,7 +39,7 @@ class RuntimeTest(Case):
             person = remote.Person()
             person.connect()
             person.head = (0.1, 1.7, 0.2)
-            lines = Lines(runtime.popen([given["xr_probe"], "--seconds", "20"]).stdout)
+            lines = Lines(runtime.popen([given["xr_probe"], "--seconds", "120"]).stdout)
             for place, trigger, is_there in (((0.3, 1.1, -0.4), 0.0, True), ((0.25, 1.2, -0.6), 1.0, False)):
                 hand, other = person.right, person.left
                 hand.position, hand.trigger, other.active = place, trigger, is_there
@@ -56,7 +56,7 @@ class RuntimeTest(Case):
 
     def test_pulses_reach_the_driver_as_sent(self):
         with Monado("qwerty") as runtime:
-            result = runtime.run([given["xr_probe"], "--seconds", "2.5", "--pulses", "8"])
+            result = runtime.run([given["xr_probe"], "--seconds", "60", "--frames", "1", "--pulses", "8"], seconds=90)
             log = runtime.said()
         sent = [line for line in json_lines(result.stdout) if line["event"] == "pulse"]
         self.assertEqual(len(sent), 8)
@@ -69,7 +69,7 @@ class RuntimeTest(Case):
 
     def test_killed_service_is_found_again(self):
         with Monado("simulated") as runtime:
-            program = runtime.popen([given["xr_probe"], "--seconds", "6", "--reconnect"])
+            program = runtime.popen([given["xr_probe"], "--seconds", "120", "--frames", "60", "--reconnect"])
             lines = Lines(program.stdout)
             lines.until(lambda line: line.get("state") == "FOCUSED", "focus")
             runtime.kill()
@@ -89,8 +89,8 @@ class RuntimeTest(Case):
 
     def test_compositor_shows_both_eyes_on_a_screen(self):
         with Screen() as screen, Monado("xcb", environment={"DISPLAY": screen.display}) as runtime:
-            program = runtime.popen([given["xr_probe"], "--seconds", "4"])
-            Lines(program.stdout).until(lambda line: line.get("n", 0) > 40, "40 frames")
+            program = runtime.popen([given["xr_probe"], "--seconds", "120"])
+            Lines(program.stdout).until(lambda line: line.get("n", 0) > 10, "10 frames")
             picture = screen.picture()
         picture.save(given["pictures"] / "runtime.png")
         # The runtime's window fills the screen: left eye green, right eye blue.

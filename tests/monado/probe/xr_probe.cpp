@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small OpenXR program that says all it sees of a runtime as lines of JSON: the test of the test runtime.
-// xr_probe [--seconds S] [--pulses N] [--reconnect]
+// xr_probe [--seconds S] [--frames N] [--pulses N] [--reconnect]
 #include "probe_session.hpp"
 
 #include <chrono>
@@ -17,6 +17,7 @@ constexpr std::array<const char*, 9> kStateNames{
 
 struct Wishes {
     double seconds = 4;
+    int frames = 0;  // Of one session, then it leaves; 0: the time alone counts.
     int pulses = 0;
     bool reconnect = false;
 };
@@ -193,7 +194,9 @@ void run_session(Session& xr, const Graphics& gl, const Wishes& wishes, Clock::t
         poll_events(xr);
         if (xr.runs) {
             run_frame(xr, gl, wishes, done);
-            if (!asked_to_leave && Clock::now() > end) {
+            const bool is_enough =
+                wishes.frames > 0 && done.frames >= wishes.frames && done.pulses == wishes.pulses;
+            if (!asked_to_leave && (is_enough || Clock::now() > end)) {
                 check(xrRequestExitSession(xr.session), "xrRequestExitSession");
                 asked_to_leave = true;
             }
@@ -214,6 +217,7 @@ Wishes wishes_of(int count, char** words) {
         const std::string_view word = words[i];
         if (word == "--reconnect") wishes.reconnect = true;
         if (word == "--seconds" && i + 1 < count) wishes.seconds = std::stod(words[++i]);
+        if (word == "--frames" && i + 1 < count) wishes.frames = std::stoi(words[++i]);
         if (word == "--pulses" && i + 1 < count) wishes.pulses = std::stoi(words[++i]);
     }
     return wishes;
