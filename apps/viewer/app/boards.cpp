@@ -13,6 +13,8 @@ namespace {
 // As web/src/xr/vr-boards.ts.
 constexpr float kAway = 1.145F, kBelowEyes = 0.1F;
 constexpr float kPanelAside = glm::radians(26.2F), kLegendAside = glm::radians(31.5F);
+/// Between the place and the card's lower edge, metres at one metre.
+constexpr float kAbovePlace = 0.02F;
 constexpr float kPressed = 0.5F;
 
 /// A board at `at` whose front looks to the eye, upright.
@@ -56,7 +58,7 @@ std::array<BoardPlace, kBoards> place_boards(
     const glm::vec3 place = snapshot.probed->world;
     const float distance = std::max(glm::distance(place, eye), 0.2F);
     glm::vec3 at = glm::mix(place, eye, 0.12F);
-    at.y += 0.11F * distance;
+    at.y += (kAbovePlace + size_of(Board::Card).metres.y / 2) * distance;
     put(Board::Card, at, eye, distance, true);
     return places;
 }

@@ -25,6 +25,7 @@ const XrStatus& HeadsetScreen::poll(Stage& stage, double time) {
 void HeadsetScreen::place(Stage& stage, const Pose& head) {
     const Viewer& viewer = stage.viewer();
     if (!eye_height_ || viewer.interaction.boards_moved) eye_height_ = head.position.y;
+    if (viewer.interaction.menu_asked) shows_panel_ = !shows_panel_;
     const Frame& frame = stage.frame();
     places_ = place_boards(
         viewer.state.stand.value_or(stand_of(head)),
@@ -34,6 +35,8 @@ void HeadsetScreen::place(Stage& stage, const Pose& head) {
         frame.look,
         head.position
     );
+    BoardPlace& panel = places_[static_cast<std::size_t>(Board::Panel)];
+    panel.is_shown = panel.is_shown && shows_panel_;
 }
 
 bool HeadsetScreen::frame(Stage& stage, double time, std::span<const Command> desk_commands) {

@@ -40,6 +40,7 @@ private:
     std::optional<float> eye_height_;  ///< When the person took their place.
     std::vector<XrQuad> quads_;
     bool is_shown_ = false;
+    bool shows_panel_ = true;  ///< The upper button of the other hand sends it away and brings it back.
 };
 
 /// The status in the words of the panels.

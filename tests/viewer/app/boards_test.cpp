@@ -8,6 +8,8 @@
 #include <glm/gtx/quaternion.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace feelem::viewer {
 namespace {
 
@@ -70,6 +72,16 @@ TEST(Boards, a_ray_at_the_panels_middle_presses_it_and_the_model_is_not_meant) {
     hand.aim.orientation = glm::quat(1, 0, 0, 0);
     EXPECT_FALSE(pointer.point(input, all).at);
     EXPECT_FALSE(hand.panel_distance);
+}
+
+TEST(Boards, the_card_stands_above_the_place_and_does_not_hide_it) {
+    const auto all = places();
+    const BoardPlace& card = of(all, Board::Card);
+    const glm::vec3 lower = card.pose.position - card.pose.orientation * glm::vec3(0, card.size.y / 2, 0);
+    const auto height_angle = [](const glm::vec3& at) {
+        return std::atan2(at.y - kEye.y, std::hypot(at.x - kEye.x, at.z - kEye.z));
+    };
+    EXPECT_GT(height_angle(lower), height_angle({0, 1, -1.2F}));
 }
 
 TEST(Boards, the_card_covers_the_same_angle_at_any_distance) {
