@@ -37,8 +37,9 @@ def main():
             step[key] = round(statistics.median(row[key] for row in same), 4)
         steps.append(step)
     first = {key: runs[0][key] for key in ("renderer", "vertices", "triangles", "edges")}
+    times = "one run" if options.runs == 1 else f"median of {options.runs} runs"
     report = write_report(options.name, {
-        "what": f"feelem-xr without a window: {first['triangles']:,} triangles loaded and drawn in software; median of {options.runs} runs",
+        "what": f"feelem-xr without a window: {first['triangles']:,} triangles loaded and drawn in software; {times}",
         "scene_bytes": scene.stat().st_size, **first, "steps": steps})
     print(json.dumps(report, indent=1))
 
