@@ -5,6 +5,7 @@ It lives in build/xr-runtime (scripts/xr_runtime.sh) as files of Debian 13, so e
 started by Debian 13's dynamic loader; libraries that Debian 13 does not have come from the system, behind its own.
 """
 import contextlib
+import ctypes
 import os
 import pathlib
 import shutil
@@ -27,6 +28,12 @@ MODES = {
             "SIMULATED_ENABLE": "1", "SIMULATED_LEFT": "simple", "SIMULATED_RIGHT": "simple"},
     "remote_xcb": {"XRT_COMPOSITOR_FORCE_XCB": "1", "XRT_COMPOSITOR_SCALE_PERCENTAGE": "50", "P_OVERRIDE_ACTIVE_CONFIG": "remote"},
 }
+
+
+def die_with_parent():
+    """For preexec_fn: a test that is killed leaves nothing running."""
+    pr_set_pdeathsig = 1
+    ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGKILL)
 
 
 class Skipped(Exception):
@@ -120,7 +127,7 @@ class Monado:
             self.service = subprocess.Popen(
                 self.command([self.root / "usr/bin/monado-service"]),
                 env=self.environment() | MODES[self.mode] | {"XRT_NO_STDIN": "1"},
-                stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True)
+                stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True, preexec_fn=die_with_parent)
         end = time.monotonic() + seconds
         while not socket.exists():
             if self.service.poll() is not None or time.monotonic() > end:
@@ -148,7 +155,7 @@ class Monado:
         environment = {name: value for name, value in environment.items() if value is not None}  # None takes it away.
         with open(self.complaints, "ab") as complaints:
             settings = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": complaints, "text": True} | settings
-            program = subprocess.Popen(self.command(command), env=environment, start_new_session=True, **settings)
+            program = subprocess.Popen(self.command(command), env=environment, start_new_session=True, preexec_fn=die_with_parent, **settings)
         self.programs.append(program)
         return program
 

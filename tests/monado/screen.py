@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import zlib
 
-from monado import Skipped
+from monado import Skipped, die_with_parent
 
 
 class Screen:
@@ -24,7 +24,7 @@ class Screen:
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write_end), "-screen", "0", self.size, "-fbdir", self.folder, "-nolisten", "tcp"],
-            pass_fds=[write_end], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            pass_fds=[write_end], preexec_fn=die_with_parent, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as number:
             self.display = ":" + number.readline().strip()
