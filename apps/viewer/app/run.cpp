@@ -122,8 +122,9 @@ void Session::tell(const XrStatus& status, double time) {
     std::string line = status.what;
     for (const std::string& sentence : {status.why, status.hint})
         if (!sentence.empty()) line += " " + sentence;
+    const bool may_come = status.state == XrState::NoService || status.state == XrState::NoHeadset;
     const bool is_hopeless = status.state == XrState::NoRuntime || status.state == XrState::Unusable ||
-                             (time > kPatience && !headset_->is_shown());
+                             (may_come && time > kPatience);
     if (options_.headset == UseHeadset::Require && !was_in_headset_ && is_hopeless)
         throw Error(
             Code::UnsupportedFormat,

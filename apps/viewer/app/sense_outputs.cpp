@@ -29,7 +29,7 @@ void SenseOutputs::stop() {
 }
 
 std::string SenseOutputs::sound_trouble() const {
-    if (output_.is_heard()) return {};
+    if (!wants_device_ || output_.is_heard()) return {};
     return output_.trouble().empty() ? "Nothing is heard: no sound device"
                                      : "Nothing is heard: " + output_.trouble();
 }

@@ -14,7 +14,8 @@ namespace feelem::viewer {
 
 class SenseOutputs {
 public:
-    explicit SenseOutputs(const SoundOutputOptions& sound) : output_(engine_, sound) {}
+    explicit SenseOutputs(const SoundOutputOptions& sound)
+        : output_(engine_, sound), wants_device_(sound.device == SoundDevice::Standard) {}
 
     /// Who shakes in a hand; null: nobody.
     void set_sink(Side side, HapticSink* sink);
@@ -31,6 +32,7 @@ public:
 private:
     AudioEngine engine_;
     AudioOutput output_;
+    bool wants_device_ = true;
     Haptics haptics_;
     std::array<HapticSink*, kSides>
         sinks_{};  ///< One that refused is not asked again until another one comes.

@@ -11,6 +11,7 @@ namespace {
 
 // The page's --stage.
 constexpr Rgb kLightBackground{227, 231, 231}, kDarkBackground{12, 16, 19};
+constexpr Rgb kHeadsetBackground{32, 40, 45};
 
 }  // namespace
 
@@ -56,7 +57,8 @@ void Stage::draw(std::span<const Camera> eyes, glm::ivec2 pixels, std::span<cons
     input.marks = frame_.overlay.marks;
     input.labels = frame_.overlay.labels;
     input.panels = panels;
-    input.background = background_of(devices_.theme);
+    // As on the page: a light room would dazzle, and its boards are dark.
+    input.background = frame_.input.is_headset ? kHeadsetBackground : background_of(devices_.theme);
     if (frame_.input.is_headset) input.floor = 0.0F;
     timer_.begin();
     renderer_.draw(input);
