@@ -93,6 +93,7 @@ private:
     bool is_over(const DeskFrame& desk) const;
     void tell(const XrStatus& status, double time);
     bool rest(double time, bool headset_shows);
+    void keep_presentation();
     bool frame();
     int take_picture();
 
@@ -149,6 +150,20 @@ bool Session::rest(double time, bool headset_shows) {
     return rests;
 }
 
+/// Beside the scene; of results that were converted for this run, beside the first of them.
+void Session::keep_presentation() {
+    ViewerState& state = stage_.viewer().state;
+    if (!std::exchange(state.wants_save, false)) return;
+    std::filesystem::path path(options_.inputs.front());
+    path.replace_extension(".presentation.json");
+    try {
+        save_presentation(state, stage_.viewer().model, path.string());
+        state.notice = fmt::format("Saved as {}.", path.filename().string());
+    } catch (const Error& error) {
+        state.notice = fmt::format("Not saved: {}", error.what());
+    }
+}
+
 bool Session::frame() {
     ScriptedFrame scripted;
     const double at = time();
@@ -170,6 +185,9 @@ bool Session::frame() {
         recording_->add(was.input, was.snapshot, was.pulses, stage_.senses().take_sound());
         stage_.devices().trouble = recording_->trouble();
     }
+    keep_presentation();
+    if (!desk.dropped.empty())
+        stage_.viewer().state.notice = "One scene at a time: start feelem-xr again with the other one.";
     const bool headset_shows = headset_ && headset_->is_shown();
     const bool rests = rest(at, headset_shows);
     // Nobody looks at a desk without a window while the headset shows the model, nor for a change where

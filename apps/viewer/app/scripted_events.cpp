@@ -8,6 +8,12 @@ int button_of(const std::string& word) {
     return word == "right" ? 1 : word == "middle" ? 2 : 0;
 }
 
+bool took(std::string& key, std::string_view prefix) {
+    if (!key.starts_with(prefix)) return false;
+    key.erase(0, prefix.size());
+    return true;
+}
+
 }  // namespace
 
 ScriptedFrame ScriptedHand::frame(std::span<const ScriptedDeed> deeds, glm::ivec2 pixels) {
@@ -19,8 +25,10 @@ ScriptedFrame ScriptedHand::frame(std::span<const ScriptedDeed> deeds, glm::ivec
         event.at = at_;
         return out.events.emplace_back(std::move(event));
     };
-    const auto add_key = [&](Kind kind, const std::string& key) {
+    const auto add_key = [&](Kind kind, std::string key) {
         DeskEvent& event = add(kind);
+        event.control = took(key, "Ctrl+");
+        event.shift = took(key, "Shift+");
         event.text = event.place = key;
     };
     for (const ScriptedDeed& deed : deeds) {

@@ -181,6 +181,7 @@ void run(ViewerState& state, const ViewedModel& model, Command command, const Ci
     case Command::RemoveMarkers: remove_markers(state); break;
     case Command::NextHotSpot: next_hot_spot(state, model, 1); break;
     case Command::PreviousHotSpot: next_hot_spot(state, model, -1); break;
+    case Command::SavePresentation: state.wants_save = true; break;
     case Command::Leave:
         state.leaves = !state.pin;
         state.pin.reset();

@@ -118,7 +118,8 @@ struct ViewerState {
     std::uint64_t most_triangles = UINT64_MAX;  ///< What is drawn in time, as the renderer finds it.
     std::string notice;                         ///< What happened last, for people.
     bool leaves = false;                        ///< The person wants to leave.
-    bool changed = false;                       ///< The presentation differs from what was read or saved.
+    bool wants_save = false;  ///< A wish: who has a disk saves the presentation and takes this away.
+    bool changed = false;     ///< The presentation differs from what was read or saved.
 };
 
 ViewerState first_state(const ViewedModel& model);

@@ -21,6 +21,9 @@ struct Chord {
 constexpr KeyBinding bound(Chord chord, std::string_view shown, std::string_view text, DeskAction action) {
     return {chord.key, chord.shift, chord.control, shown, text, {}, action};
 }
+constexpr KeyBinding bound(Chord chord, std::string_view shown, std::string_view text, Command command) {
+    return {chord.key, chord.shift, chord.control, shown, text, command, {}};
+}
 
 constexpr std::array kBindings{
     bound(Chord{"S"}, "S", "hold: hear and feel", DeskAction::Hold),
@@ -46,6 +49,9 @@ constexpr std::array kBindings{
     bound("P", "Shift P", "remove all notes", Command::RemoveMarkers, true),
     bound("N", "N", "to the next hot spot", Command::NextHotSpot),
     bound("B", "B", "to the hot spot before", Command::PreviousHotSpot),
+    bound(
+        Chord{"S", false, true}, "Ctrl S", "save the presentation beside the scene", Command::SavePresentation
+    ),
     bound("Escape", "Esc", "let go of the place, leave", Command::Leave),
     bound(Chord{"Left", true}, "Shift ←", "turn left", DeskAction::TurnLeft),
     bound(Chord{"Right", true}, "Shift →", "turn right", DeskAction::TurnRight),

@@ -32,5 +32,16 @@ TEST(ScriptedHand, a_key_goes_down_and_up_and_the_rest_is_for_the_program) {
     EXPECT_TRUE(frame.quits);
 }
 
+TEST(ScriptedHand, keys_are_pressed_with_shift_and_control) {
+    ScriptedHand hand;
+    const ScriptedFrame frame = hand.frame(parse_script("0 hold Ctrl+S\n0 hold Shift+P", "t"), {800, 600});
+    ASSERT_EQ(frame.events.size(), 2U);
+    EXPECT_EQ(frame.events[0].text, "S");
+    EXPECT_TRUE(frame.events[0].control);
+    EXPECT_FALSE(frame.events[0].shift);
+    EXPECT_EQ(frame.events[1].text, "P");
+    EXPECT_TRUE(frame.events[1].shift);
+}
+
 }  // namespace
 }  // namespace feelem::viewer

@@ -20,6 +20,7 @@ SCRIPT = """
 1.0 release left
 1.1 key C                  # a plane opens it
 1.3 screenshot {folder}/cut.png
+1.35 key Ctrl+S
 1.4 quit
 """
 
@@ -135,6 +136,11 @@ class DeskRun(unittest.TestCase):
             folder, frames = self.run_viewer("window", display)
         self.check_pictures(folder)
         self.check_readings(frames)
+        saved = json.loads((self.scratch / "boiler.presentation.json").read_text())
+        self.assertEqual([r["key"] for r in saved["results"]], ["T", "U", "S"])
+        # The converter takes it as it is.
+        subprocess.run([self.feelem, "convert", self.project / "examples/boiler/boiler.frd", "-o", self.scratch / "again.glb",
+                        "--present", self.scratch / "boiler.presentation.json"], check=True, capture_output=True, timeout=120)
 
     def test_without_a_screen_it_does_the_same_and_twice_gives_the_same_bytes(self):
         first, frames = self.run_viewer("first")
