@@ -157,11 +157,11 @@ class DeskRun(unittest.TestCase):
         self.assertEqual(run().returncode, 2)
         self.assertIn("Usage: feelem-xr SCENE", run().stderr)
         self.assertEqual(run(self.scene, "--recrod", "x").returncode, 2)
-        broken = self.scratch / "broken.glb"
+        broken = self.scratch / "broken.bin"
         broken.write_bytes(self.scene.read_bytes()[:1000])
         ran = run(broken, "--screenshot", self.scratch / "none.png")
         self.assertEqual(ran.returncode, 1)
-        self.assertIn("broken.glb", ran.stderr)
+        self.assertIn("broken.bin", ran.stderr)
         self.assertFalse((self.scratch / "none.png").exists())
         no_screen = run(self.scene, "--xr=off")
         self.assertEqual(no_screen.returncode, 1)

@@ -129,7 +129,7 @@ TEST(LoadedScene, a_presentation_finds_its_component) {
 }
 
 TEST(LoadedScene, what_is_not_a_scene_says_so) {
-    const std::string path = folder() + "/not.glb";
+    const std::string path = folder() + "/not_a_scene.bin";
     test::write_file(path, "glTF but no more");
     EXPECT_THROW(LoadedScene{path}, Error);
 }
