@@ -80,18 +80,21 @@ PanelInput BoardPointer::point(FrameInput& input, std::span<const BoardPlace, kB
     for (std::size_t side = 0; side < kSides; ++side) {
         HandInput& hand = input.hands[side];
         hand.panel_distance.reset();
-        if (!hand.is_tracked) continue;
-        pointed[side] = pointed_board(ray_of(hand.aim), places);
+        if (hand.is_tracked) pointed[side] = pointed_board(ray_of(hand.aim), places);
         if (pointed[side]) hand.panel_distance = pointed[side]->hit.metres;
+        const bool pulled = hand.is_tracked && input.is_focused && hand.trigger > kPressed;
+        const bool is_on_panel = pointed[side] && pointed[side]->board == Board::Panel;
+        presses_[side] = pulled && (is_pulled_[side] ? presses_[side] : is_on_panel);
+        is_pulled_[side] = pulled;
     }
     const std::size_t other = 1 - hand_;
-    const bool other_asks = pointed[other] && (!pointed[hand_] || input.hands[other].trigger > kPressed);
-    if (other_asks && !(pointed[hand_] && input.hands[hand_].trigger > kPressed)) hand_ = other;
+    const bool other_asks = pointed[other] && (!pointed[hand_] || presses_[other]);
+    if (other_asks && !(pointed[hand_] && presses_[hand_])) hand_ = other;
     PanelInput panel;
     panel.seconds = std::max(input.time - time_, 1e-4);
     time_ = input.time;
     if (pointed[hand_] && pointed[hand_]->board == Board::Panel) panel.at = pointed[hand_]->hit.at;
-    panel.buttons[0] = panel.at && input.hands[hand_].trigger > kPressed && input.is_focused;
+    panel.buttons[0] = panel.at && presses_[hand_];
     return panel;
 }
 

@@ -38,13 +38,15 @@ struct PointedBoard {
 std::optional<PointedBoard> pointed_board(const Ray& ray, std::span<const BoardPlace, kBoards> places);
 
 /// Sets HandInput::panel_distance of both hands, and gives what the hands do to the panel: the hand that
-/// pulled its trigger last is the one that counts, the right one at first.
+/// pulled its trigger last is the one that counts, the right one at first. A trigger that was pulled
+/// elsewhere presses nothing: who sweeps the model may come across a board.
 class BoardPointer {
 public:
     PanelInput point(FrameInput& input, std::span<const BoardPlace, kBoards> places);
 
 private:
     std::size_t hand_ = 1;
+    std::array<bool, kSides> is_pulled_{}, presses_{};  ///< Its trigger; and that on the panel.
     double time_ = 0;
 };
 

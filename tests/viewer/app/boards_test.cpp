@@ -74,6 +74,26 @@ TEST(Boards, a_ray_at_the_panels_middle_presses_it_and_the_model_is_not_meant) {
     EXPECT_FALSE(hand.panel_distance);
 }
 
+TEST(Boards, a_trigger_pulled_on_the_model_presses_nothing_when_it_comes_across_the_panel) {
+    const auto all = places();
+    FrameInput input;
+    HandInput& hand = input.hands[1];
+    hand.is_tracked = true;
+    hand.aim.position = kEye;
+    hand.trigger = 1;
+    BoardPointer pointer;
+    EXPECT_FALSE(pointer.point(input, all).at);
+    const glm::vec3 along = glm::normalize(of(all, Board::Panel).pose.position - kEye);
+    hand.aim.orientation = glm::rotation(glm::vec3(0, 0, -1), along);
+    const PanelInput swept = pointer.point(input, all);
+    EXPECT_TRUE(swept.at);
+    EXPECT_FALSE(swept.buttons[0]);
+    hand.trigger = 0;
+    EXPECT_FALSE(pointer.point(input, all).buttons[0]);
+    hand.trigger = 1;
+    EXPECT_TRUE(pointer.point(input, all).buttons[0]);
+}
+
 TEST(Boards, the_card_stands_above_the_place_and_does_not_hide_it) {
     const auto all = places();
     const BoardPlace& card = of(all, Board::Card);
