@@ -105,6 +105,10 @@ void append_line(const Line& line, std::vector<ScriptedDeed>& out) {
         else
             numbers.at(i) = number_of(line, word, kLongest);
     }
+    constexpr std::array<std::string_view, 3> kButtons{"left", "right", "middle"};
+    const bool is_button = deed.deed == Deed::Press || deed.deed == Deed::Release;
+    if (is_button && std::ranges::find(kButtons, deed.word) == kButtons.end())
+        bad(line, fmt::format("the mouse has no button \"{}\": left, right or middle", deed.word));
     if (row.word == "glide") return append_glide(numbers, deed.at, out);
     deed.x = row.deed == Deed::Move ? numbers[0] : 0;
     deed.y = row.deed == Deed::Move ? numbers[1] : numbers[0];

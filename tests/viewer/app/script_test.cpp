@@ -54,6 +54,8 @@ TEST(Script, what_cannot_be_understood_names_its_line_and_what_there_is) {
         refusal("0 key A\n1 presss left"), testing::AllOf(HasSubstr("talk.txt:2"), HasSubstr("\"press\""))
     );
     EXPECT_THAT(refusal("1 move 0.5"), HasSubstr("1.5 move 0.5 0.5"));
+    EXPECT_THAT(refusal("1 press lefty"), HasSubstr("no button \"lefty\""));
+    EXPECT_THAT(refusal("1 release Left"), HasSubstr("left, right or middle"));
     EXPECT_THAT(refusal("soon quit"), HasSubstr("\"soon\" is not a number"));
     EXPECT_THAT(refusal("-1 quit"), HasSubstr("begins at 0"));
     EXPECT_THAT(refusal("1 glide 0 0 1 1 1e9"), HasSubstr("1e9"));
