@@ -202,9 +202,19 @@ void set_range(ViewerState& state, std::string_view key, std::string_view mode, 
     state.changed = true;
 }
 
+namespace {
+
+std::string made_label(const PresentedResult& result) {
+    return result.limit ? fmt::format("{} {}", result.key, *result.limit) : std::string();
+}
+
+}  // namespace
+
 void set_limit(ViewerState& state, std::string_view key, std::optional<double> limit, bool is_upper) {
     PresentedResult* result = find_key(state.presentation, key);
     if (result == nullptr) return;
+    // A label that was made of the number goes with it; a name that somebody gave stays.
+    if (result->limit_label == made_label(*result)) result->limit_label.clear();
     result->limit = limit;
     result->limit_is_upper = is_upper;
     // No two limits may have the same label.
@@ -212,7 +222,7 @@ void set_limit(ViewerState& state, std::string_view key, std::optional<double> l
         return &other != result && other.limit && other.limit_label == result->limit_label;
     });
     if (limit && (result->limit_label.empty() || is_taken)) {
-        result->limit_label = fmt::format("{} {}", result->key, *limit);
+        result->limit_label = made_label(*result);
     }
     state.changed = true;
 }

@@ -349,6 +349,22 @@ TEST(ViewerState, level_of_detail_fits_the_budget_and_a_headset_has_one_from_the
     EXPECT_EQ(make_look(ready.viewer.state, model, true).level, 1u);
 }
 
+TEST(ViewerState, a_label_made_of_a_limits_number_goes_with_the_number_and_a_name_stays) {
+    Ready ready(warm_square());
+    ViewerState& state = ready.viewer.state;
+    PresentedResult& t = state.presentation.results.at(0);
+    set_limit(state, "T", 25);
+    EXPECT_EQ(t.limit_label, "T 25");
+    set_limit(state, "T", 30);
+    EXPECT_EQ(t.limit_label, "T 30");
+    set_limit(state, "T", std::nullopt);
+    set_limit(state, "T", 35);
+    EXPECT_EQ(t.limit_label, "T 35");
+    t.limit_label = "paint";
+    set_limit(state, "T", 40);
+    EXPECT_EQ(t.limit_label, "paint");
+}
+
 TEST(ViewerState, a_saved_presentation_comes_back_as_it_was_changed_and_keeps_what_nobody_knows) {
     Ready ready(boiler_path());
     ViewerState& state = ready.viewer.state;
