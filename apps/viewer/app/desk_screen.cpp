@@ -112,11 +112,13 @@ void DeskScreen::draw(Stage& stage, bool headset_shows) {
     const auto [x, y, width, height] = stage_rectangle();
     if (width > 0 && height > 0) {
         const glm::ivec2 size{width, height};
+        // Hands may have carried the model anywhere.
+        const float aspect = static_cast<float>(width) / static_cast<float>(height);
+        if (std::exchange(was_mirror_, headset_shows) && !headset_shows)
+            fit(camera(), box_of(stage.viewer()), aspect);
         if (!headset_shows) {
             const auto [near, far] = depth_of(camera());
-            const EyeView eye{
-                pose_of(camera()),
-                field_of(camera(), static_cast<float>(width) / static_cast<float>(height))};
+            const EyeView eye{pose_of(camera()), field_of(camera(), aspect)};
             const Camera looks = camera_of(eye, near, far);
             stage.draw({&looks, 1}, size);
         }

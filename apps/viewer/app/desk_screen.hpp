@@ -59,6 +59,7 @@ private:
     std::unique_ptr<DeskGui> gui_;
     DeskInput input_;
     bool was_used_ = false;
+    bool was_mirror_ = false;  ///< A headset showed the model in the last picture.
     PanelInput panel_input_;
     WindowWishes wishes_;
 };
