@@ -189,19 +189,35 @@ std::vector<UiPart> parts_of(const Viewer& viewer) {
 }
 
 std::vector<UiCut> cuts_shown(const Viewer& viewer) {
-    const auto& [low, high] = std::pair{viewer.model.arrays().low, viewer.model.arrays().high};
+    const auto& origin = viewer.model.about().origin;
     std::vector<UiCut> cuts;
     for (const CutState& cut : viewer.state.cuts) {
-        UiCut shown{cut.plane, 0, 0, cut.on};
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto a = static_cast<std::size_t>(axis);
-            const float one = cut.plane.normal[axis] * low[a], other = cut.plane.normal[axis] * high[a];
-            shown.from += std::min(one, other);
-            shown.to += std::max(one, other);
-        }
+        const auto [from, to] = reach_along(viewer.model, cut.plane.normal);
+        UiCut shown{cut.plane, from, to, cut.on, 0};
+        for (int axis = 0; axis < 3; ++axis)
+            shown.shift +=
+                static_cast<double>(cut.plane.normal[axis]) * origin[static_cast<std::size_t>(axis)];
         cuts.push_back(shown);
     }
     return cuts;
+}
+
+/// With the coloured result's value at its node.
+UiMarker note_of(const Viewer& viewer, const Marker& marker) {
+    UiMarker shown;
+    shown.node = marker.node;
+    shown.text = marker.text;
+    const Scene& scene = viewer.model.about();
+    const PresentedResult* seen = result_of(viewer.state.presentation, Sense::Colour);
+    const auto field = seen != nullptr ? find_field(scene, *seen, viewer.state.step) : std::nullopt;
+    const auto corner = viewer.model.corner_of_node(marker.node);
+    if (!field || !corner) return shown;
+    const FieldSpan span = viewer.model.values(*field);
+    if (span.components == 0) return shown;
+    const std::size_t vertex = viewer.model.vertex_at(*corner);
+    shown.value = static_cast<double>(span.values[vertex * span.components + field->component]);
+    shown.unit = unit_of(scene, *seen);
+    return shown;
 }
 
 void list_places(Viewer& viewer, UiModel& out) {
@@ -218,12 +234,7 @@ void list_places(Viewer& viewer, UiModel& out) {
              viewer.state.pin == spot.node}
         );
     }
-    for (const Marker& marker : viewer.state.markers) {
-        UiMarker shown;
-        shown.node = marker.node;
-        shown.text = marker.text;
-        out.markers.push_back(std::move(shown));
-    }
+    for (const Marker& marker : viewer.state.markers) out.markers.push_back(note_of(viewer, marker));
 }
 
 std::vector<UiFact> facts_of(const Scene& scene) {
@@ -265,6 +276,7 @@ UiModel panel_model(Viewer& viewer, const Look& look, const Snapshot& snapshot, 
     out.deformation = deformation_of(viewer);
     out.parts = parts_of(viewer);
     out.cuts = cuts_shown(viewer);
+    out.cuts_are_on = std::ranges::any_of(state.cuts, &CutState::on);
     out.length_unit = scene.length_unit ? scene.length_unit->name : "";
     list_places(viewer, out);
     out.edges = state.edges;

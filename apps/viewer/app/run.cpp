@@ -99,8 +99,9 @@ private:
 
     Options options_;
     DeskScreen desk_;
+    std::optional<HeadsetScreen>
+        headset_;  ///< Before the stage, whose senses stop its controllers' motors at the end.
     Stage stage_;
-    std::optional<HeadsetScreen> headset_;
     std::optional<ScriptPlayer> script_;
     ScriptedHand scripted_;
     std::optional<Recording> recording_;
@@ -142,7 +143,8 @@ void Session::tell(const XrStatus& status, double time) {
 /// Nothing has happened at the desk for a while: one last picture, the finest, stays.
 bool Session::rest(double time, bool headset_shows) {
     const bool is_active = script_ || headset_shows || !stage_.is_ready() || desk_.was_used() ||
-                           stage_.viewer().state.playing || !options_.screenshot.empty();
+                           stage_.viewer().state.playing || !stage_.viewer().state.notice.empty() ||
+                           !options_.screenshot.empty();
     if (is_active) active_at_ = time;
     const bool rests = time - active_at_ > kRestAfter;
     if (!rests) drawn_at_rest_ = false;

@@ -52,13 +52,16 @@ struct Granter {
     void operator()(const SetCut& wish) const {
         if (has_cut(wish.cut)) state().cuts[wish.cut] = {wish.plane, wish.is_on};
     }
+    void operator()(const TurnCut& wish) const { turn_cut(state(), viewer.model, wish.cut, wish.axis); }
     void operator()(const RemoveCut& wish) const {
         if (has_cut(wish.cut))
             state().cuts.erase(state().cuts.begin() + static_cast<std::ptrdiff_t>(wish.cut));
     }
     void operator()(const GoToHotSpot& wish) const {
         const std::vector<HotSpot> spots = viewer.spots.of(state(), viewer.model);
-        if (wish.spot < spots.size()) go_to_node(state(), viewer.model, spots[wish.spot].node);
+        if (wish.spot >= spots.size()) return;
+        go_to_node(state(), viewer.model, spots[wish.spot].node);
+        state().hot.at = wish.spot;
     }
     void operator()(const GoToMarker& wish) const {
         if (wish.marker < state().markers.size())

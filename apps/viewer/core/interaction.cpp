@@ -20,6 +20,8 @@ constexpr double kTwice = 0.4;
 constexpr float kMoved = 0.005F;
 /// After a pause (a window that was moved, a runtime that was gone) nothing jumps.
 constexpr double kLongestFrame = 0.1;
+/// Seconds that a notice stands.
+constexpr double kNoticeSeconds = 6;
 
 PointerState& pointer_of(Interaction& interaction, Pointer pointer) {
     return interaction.pointers[static_cast<std::size_t>(pointer)];
@@ -107,6 +109,17 @@ void point_pin(InteractionFrame& frame) {
     pointer.is_held = hit && is_alone && frame.input.hold;
 }
 
+/// What happened last is said for a while, not for ever.
+void forget_notice(Interaction& interaction, ViewerState& state, double time) {
+    if (state.notice != interaction.told) {
+        interaction.told = state.notice;
+        interaction.told_at = time;
+    } else if (time - interaction.told_at > kNoticeSeconds) {
+        state.notice.clear();
+        interaction.told.clear();
+    }
+}
+
 }  // namespace
 
 void move_pointer(Interaction& interaction, Pointer pointer, const std::optional<SkinHit>& hit) {
@@ -162,6 +175,7 @@ void interact(
     interaction.has_begun = true;
     interaction.boards_moved = interaction.menu_asked = false;
     interaction.inside.reset();
+    forget_notice(interaction, state, input.time);
     if (!input.is_focused) {
         let_go_of_all(frame);
         prober.set_look(make_look(state, model, input.is_headset));

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace feelem::viewer {
@@ -80,6 +81,8 @@ struct Interaction {
     double time = 0, step_age = 0;
     std::uint64_t clock = 0;
     bool has_begun = false, was_headset = false;
+    std::string told;  ///< The notice that stands, and since when.
+    double told_at = 0;
 };
 
 /// Once a frame. Shows the prober what is drawn.

@@ -61,12 +61,8 @@ void cut_row(Pen& pen, std::size_t index) {
         pen.wish(SetCut{index, cut.plane, !cut.is_on});
     ImGui::SameLine();
     constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-    if (const auto axis = segments(pen, name, kAxes, axis_of(cut.plane.normal))) {
-        CutPlane turned;
-        turned.normal = glm::vec3(0);
-        turned.normal[static_cast<int>(*axis)] = 1;
-        pen.wish(SetCut{index, turned, true});
-    }
+    if (const auto axis = segments(pen, name, kAxes, axis_of(cut.plane.normal)))
+        pen.wish(TurnCut{index, *axis});
     ImGui::SameLine();
     if (push(pen, name + "/other side", "other side"))
         pen.wish(SetCut{index, {-cut.plane.normal, -cut.plane.offset}, cut.is_on});
@@ -79,7 +75,7 @@ void cut_row(Pen& pen, std::size_t index) {
         cut.plane.offset,
         cut.from,
         cut.to,
-        with_unit(static_cast<double>(cut.plane.offset), pen.model.length_unit),
+        with_unit(static_cast<double>(cut.plane.offset) + cut.shift, pen.model.length_unit),
         room
     );
     if (moved) pen.wish(SetCut{index, {cut.plane.normal, *moved}, cut.is_on});

@@ -92,6 +92,8 @@ struct UiCut {
     CutPlane plane;
     float from = -1, to = 1;  ///< Where along its normal the model begins and ends.
     bool is_on = true;
+    double shift =
+        0;  ///< Of the scene's origin along the normal: in the solver's axes the plane is so much further.
 };
 
 struct UiHotSpot {
@@ -103,7 +105,7 @@ struct UiHotSpot {
 };
 
 struct UiMarker {
-    std::string label, unit;
+    std::string unit;  ///< Of the coloured result, whose value it is.
     double value = std::numeric_limits<double>::quiet_NaN();
     std::optional<std::int64_t> node;
     std::string text;
@@ -195,6 +197,10 @@ struct SetCut {
     CutPlane plane;
     bool is_on = true;
 };
+/// Across an axis of the model (0 x, 1 y, 2 z), through its middle.
+struct TurnCut {
+    std::size_t cut = 0, axis = 0;
+};
 struct RemoveCut {
     std::size_t cut = 0;
 };
@@ -270,7 +276,8 @@ using UiWish = std::variant<
     SetTheme,
     SetHelp,
     ReleasePin,
-    TryHeadset>;
+    TryHeadset,
+    TurnCut>;
 using UiWishes = std::vector<UiWish>;
 
 }  // namespace feelem::viewer

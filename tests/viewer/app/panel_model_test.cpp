@@ -9,6 +9,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace feelem::viewer {
 namespace {
 
@@ -144,9 +146,46 @@ TEST_F(PanelModel, hot_spots_are_listed_and_gone_to) {
     wish(GoToHotSpot{0});
     EXPECT_EQ(viewer_.state.pin, shown.hot_spots[0].node);
     EXPECT_TRUE(model().hot_spots[0].is_chosen);
+    wish(Command::NextHotSpot);
+    EXPECT_EQ(viewer_.state.pin, shown.hot_spots.at(1).node) << "from the one that was gone to";
     wish(GoToHotSpot{99});
     wish(ReleasePin{});
     EXPECT_FALSE(viewer_.state.pin);
+}
+
+TEST_F(PanelModel, planes_say_whether_they_cut_and_where_in_the_solvers_own_axes) {
+    wish(AddCut{{1, 0, 0}});
+    UiModel shown = model();
+    EXPECT_TRUE(shown.cuts_are_on);
+    EXPECT_EQ(shown.cuts.at(0).shift, scene_.about().origin[0]);
+    wish(SetCut{0, {{0, 0, -1}, 3}, true});
+    EXPECT_EQ(model().cuts.at(0).shift, -scene_.about().origin[2]);
+    wish(TurnCut{0, 1});
+    shown = model();
+    EXPECT_NEAR(shown.cuts.at(0).plane.offset, (shown.cuts.at(0).from + shown.cuts.at(0).to) / 2, 1e-3F)
+        << "a plane that was turned stands in the model, wherever the solver has its zero";
+    EXPECT_EQ(shown.cuts.at(0).plane.normal, glm::vec3(0, 1, 0));
+    wish(Command::ToggleClip);
+    EXPECT_FALSE(model().cuts_are_on) << "the button offers to cut again";
+}
+
+TEST_F(PanelModel, a_note_shows_the_coloured_results_value_at_its_node) {
+    const HotSpot spot = viewer_.spots.of(viewer_.state, viewer_.model).at(0);
+    place_marker(viewer_.state, spot.node);
+    UiModel shown = model();
+    EXPECT_EQ(shown.markers.at(0).value, spot.value);
+    EXPECT_EQ(shown.markers.at(0).unit, "degC");
+    wish(AssignSense{"T", Sense::Colour, false});
+    EXPECT_TRUE(std::isnan(model().markers.at(0).value)) << "no result is seen";
+}
+
+TEST_F(PanelModel, what_happened_last_is_said_for_a_while) {
+    place_marker(viewer_.state, std::nullopt);
+    EXPECT_THAT(model().message, HasSubstr("Point at a node"));
+    time_ += 5;
+    EXPECT_THAT(model().message, HasSubstr("Point at a node"));
+    time_ += 2;
+    EXPECT_EQ(model().message, "");
 }
 
 }  // namespace

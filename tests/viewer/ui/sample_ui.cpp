@@ -98,7 +98,6 @@ void add_places(UiModel& out) {
         {"von Mises stress", "MPa", 244.02, 0.97608, 90211, false},
         {"temperature", "degC", 143.1, 0.894, 12, false}};
     UiMarker marker;
-    marker.label = "von Mises stress";
     marker.unit = "MPa";
     marker.value = 262.125;
     marker.node = 1834;
