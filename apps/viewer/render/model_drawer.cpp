@@ -250,19 +250,10 @@ void ModelDrawer::draw_edges(const ModelDrawing& drawing, const Program& edges) 
     glProgramUniform4f(edges.get(), edges.at("line_colour"), 0.0033F, 0.004F, 0.0052F, opacity);
     edges.use();
     glBindVertexArray(buffers_.edges());
-    const Geometry& geometry = *model_.geometry;
-    for (std::uint32_t p = 0; p < geometry.parts.size();) {
-        // Neighbours that are drawn are one call.
-        const std::uint32_t first = geometry.parts[p].first_edge;
-        std::uint32_t count = 0;
-        for (; p < geometry.parts.size() && geometry.parts[p].first_edge == first + count &&
-               look_of(drawing.look->parts, p) != PartLook::Hidden;
-             ++p)
-            count += geometry.parts[p].edges;
-        if (count == 0) {
-            ++p;
-            continue;
-        }
+    const std::vector<PartRange>& parts = model_.geometry->parts;
+    std::uint32_t first = 0, count = 0;
+    const auto draw_run = [&] {
+        if (count == 0) return;
         const std::size_t offset = 8 * std::size_t{first};
         glDrawElementsInstanced(
             GL_LINES,
@@ -272,7 +263,16 @@ void ModelDrawer::draw_edges(const ModelDrawing& drawing, const Program& edges) 
             drawing.passes.instances()
         );
         ++counts_.draw_calls;
+        count = 0;
+    };
+    for (std::uint32_t p = 0; p < parts.size(); ++p) {
+        if (parts[p].edges == 0 || look_of(drawing.look->parts, p) == PartLook::Hidden) continue;
+        // Neighbours that are drawn are one call.
+        if (parts[p].first_edge != first + count) draw_run();
+        if (count == 0) first = parts[p].first_edge;
+        count += parts[p].edges;
     }
+    draw_run();
 }
 
 void ModelDrawer::make_ghost() {

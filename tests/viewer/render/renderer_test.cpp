@@ -348,6 +348,26 @@ TEST_F(Renderers, hidden_parts_are_gone_and_clear_ones_are_seen_through) {
         EXPECT_NEAR(mixed[k], high[k] + (back[k] - high[k]) * 0.78 * 0.78, 2) << k;
 }
 
+TEST_F(Renderers, a_part_without_element_edges_takes_none_from_the_part_after_it) {
+    SmallModel bare = box_model({0.1F, 0.1F, 0.1F}, 1);
+    bare.geometry.edges.clear();
+    bare.geometry.parts[0].edges = 0;
+    SmallModel model = box_model({0.1F, 0.1F, 0.1F}, 1);
+    append(model, bare);
+    model.geometry.parts[1].first_edge = 0;  // As a scene has it.
+    append(model, box_model({1, 1, 1}, 4));  // Hides both.
+    model.add_field(0, [](const auto&) { return 0.5F; });
+    Look look = plain_look();
+    const Camera eye = looking({0, 0, 3}, {0, 0, 0});
+    Renderer renderer;
+    renderer.set_model(model.drawn());
+    draw_whole(renderer, input_of({&eye, 1}, look));
+    const Pixels without = renderer.read(0);
+    look.edges = true;
+    draw_whole(renderer, input_of({&eye, 1}, look));
+    EXPECT_GT(compare(without, renderer.read(0)).pixels, 200U);
+}
+
 TEST_F(Renderers, a_cut_solid_shows_material_and_a_cut_shell_its_inside) {
     SmallModel model = box_model({1, 1, 1}, 2);
     model.add_field(0, [](const auto&) { return 0.5F; });
