@@ -45,7 +45,10 @@ XrResult create_swapchain(XrSession handle, const XrSwapchainCreateInfo* info, X
     Session* session = runtime().sessions.find(number_of(handle));
     if (const XrResult result = check(session, kCreate); result != XR_SUCCESS) return result;
     if (session->is_headless) return broken(XR_ERROR_GRAPHICS_DEVICE_INVALID, kCreate, "headless");
-    if (const XrResult result = fault_of(*info); result != XR_SUCCESS) return result;
+    if (const XrResult result = fault_of(*info); result != XR_SUCCESS) {
+        play_gl_faults(*session);
+        return result;
+    }
     Swapchain swapchain;
     swapchain.session = number_of(handle);
     swapchain.width = static_cast<std::int32_t>(info->width);

@@ -31,6 +31,11 @@ void retry_slower(Connection& connection, double time) {
     ++connection.tries;
 }
 
+/// Who lets go of the instance lets go of the session too, never the other way round.
+void owe(Connection& connection, Step step) {
+    if (connection.owed != Step::DropInstance) connection.owed = step;
+}
+
 void set_trouble(Connection& connection, Trouble trouble, XrResult result) {
     connection.trouble = trouble;
     connection.reason = result;
@@ -133,13 +138,13 @@ void hear(Connection& connection, XrSessionState state, double time) {
     if (state == XR_SESSION_STATE_EXITING) leave(connection);
     if (state != XR_SESSION_STATE_LOSS_PENDING) return;
     set_trouble(connection, Trouble::LossPending, XR_SESSION_LOSS_PENDING);
-    connection.owed = Step::DropSession;
+    owe(connection, Step::DropSession);
     retry_in(connection, time, kRetryFirst);
 }
 
 void hear_loss(Connection& connection, double time) {
     set_trouble(connection, Trouble::LossPending, XR_ERROR_INSTANCE_LOST);
-    connection.owed = Step::DropInstance;
+    owe(connection, Step::DropInstance);
     retry_in(connection, time, kRetryFirst);
 }
 
@@ -149,13 +154,13 @@ void fail(Connection& connection, XrResult result, double time) {
                             : result == XR_ERROR_SESSION_LOST ? Trouble::SessionLost
                                                               : Trouble::Refused;
     set_trouble(connection, trouble, result);
-    connection.owed = is_instance ? Step::DropInstance : Step::DropSession;
+    owe(connection, is_instance ? Step::DropInstance : Step::DropSession);
     retry_slower(connection, time);
 }
 
 void leave(Connection& connection) {
     connection.phase = Phase::Ended;
-    connection.owed = Step::DropInstance;
+    owe(connection, Step::DropInstance);
     connection.next_try.reset();
 }
 

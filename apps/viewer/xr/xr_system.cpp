@@ -38,6 +38,7 @@ struct XrSystem::Parts {
     void drop_session();
     void drop_instance();
     void listen();
+    void fail(const xr::Failure& failure);
     void hear(const XrEventDataBuffer& event);
     /// False: the step is under way, on another thread.
     bool take(xr::Step step);
@@ -116,6 +117,7 @@ XrResult XrSystem::Parts::carry_out(xr::Step step) {
         case xr::Step::DropInstance: drop_instance(); break;
         }
     } catch (const xr::Failure& failure) {
+        gl.restore();
         return failure.result;
     }
     return XR_SUCCESS;
@@ -134,8 +136,17 @@ void XrSystem::Parts::listen() {
         const XrResult result = xrPollEvent(instance.handle, &event);
         if (result == XR_EVENT_UNAVAILABLE) return;
         if (XR_FAILED(result)) return xr::fail(connection, result, time);
-        hear(event);
+        try {
+            hear(event);
+        } catch (const xr::Failure& failure) {
+            fail(failure);
+        }
     }
+}
+
+void XrSystem::Parts::fail(const xr::Failure& failure) {
+    gl.restore();  // A call may take the context away and fail all the same.
+    xr::fail(connection, failure.result, time);
 }
 
 void XrSystem::Parts::hear(const XrEventDataBuffer& event) {
@@ -223,7 +234,7 @@ std::optional<XrFrame> XrSystem::begin_frame() {
                 parts.haptics[side].offer(frame.input.hands[side].can_vibrate);
         return frame;
     } catch (const xr::Failure& failure) {
-        xr::fail(parts.connection, failure.result, parts.time);
+        parts.fail(failure);
         return {};
     }
 }
@@ -233,7 +244,7 @@ void XrSystem::end_frame(const XrPictures& pictures) {
     try {
         parts_->session->end_frame(pictures);
     } catch (const xr::Failure& failure) {
-        xr::fail(parts_->connection, failure.result, parts_->time);
+        parts_->fail(failure);
     }
 }
 

@@ -97,6 +97,16 @@ TEST(XrConnection, who_leaves_stays_out_until_entering) {
     EXPECT_EQ(next_step(connection, 1000), Step::MakeInstance);
 }
 
+TEST(XrConnection, instance_that_has_to_go_goes_though_the_session_is_lost_too) {
+    Connection left = running(), ended = running();
+    hear(left, XR_SESSION_STATE_EXITING, 5);
+    hear(left, XR_SESSION_STATE_LOSS_PENDING, 5);
+    EXPECT_EQ(next_step(left, 5), Step::DropInstance) << "else nobody would ever let go of it";
+    hear_loss(ended, 5);
+    fail(ended, XR_ERROR_SESSION_LOST, 5);
+    EXPECT_EQ(next_step(ended, 5), Step::DropInstance);
+}
+
 TEST(XrConnection, entering_while_inside_changes_nothing) {
     Connection connection = running();
     enter(connection, 5);

@@ -309,6 +309,17 @@ TEST_F(XrFaults, lost_session_is_let_go_and_made_anew) {
     EXPECT_THAT(stay.complaints(), IsEmpty());
 }
 
+TEST_F(XrFaults, session_that_is_lost_while_the_room_is_put_elsewhere_is_made_anew) {
+    Stay stay("20 recentre\n20 lose_session");
+    ASSERT_TRUE(stay.reach(XrState::Focused));
+    // Its last event asks for a new space, and none can be made.
+    ASSERT_TRUE(stay.reach(XrState::Starting));
+    ASSERT_TRUE(stay.reach(XrState::Focused, 5));
+    ASSERT_TRUE(stay.frames(5));
+    stay.end();
+    EXPECT_THAT(stay.complaints(), IsEmpty());
+}
+
 TEST_F(XrFaults, runtime_that_dies_is_awaited_with_scene_and_context_and_used_again) {
     Stay stay("20 lose_instance 3\n60 lose_instance 2");
     const Belongings belongings;
@@ -374,6 +385,22 @@ TEST_F(XrFaults, context_that_is_taken_away_is_given_back_and_told_once_a_call) 
     EXPECT_EQ(stay.system->status().quirks.size(), 3U) << "xrCreateSession, xrCreateSwapchain, xrEndFrame";
     stay.end();
     EXPECT_THAT(stay.complaints(), IsEmpty());
+}
+
+TEST_F(XrFaults, context_that_a_failing_call_takes_away_is_given_back_to_the_desk) {
+    Stay stay("");
+    const Belongings belongings;
+    const unsigned panel = texture_of(8, 8, {1, 2, 3, 255});
+    std::vector<XrQuad> quads(1);
+    quads[0].texture = panel;
+    quads[0].width = quads[0].height = 8;
+    stay.pictures = [&] { return XrPictures{quads, {}}; };
+    ASSERT_TRUE(stay.reach(XrState::Focused));
+
+    quads[0].width = 4;  // A picture of another size is made anew, which is refused.
+    stay.set_faults("no_srgb loses_context");
+    ASSERT_TRUE(stay.turn());
+    EXPECT_TRUE(belongings.are_kept());
 }
 
 TEST_F(XrFaults, error_that_a_call_leaves_in_opengl_is_cleared_and_told_once) {
