@@ -99,8 +99,7 @@ private:
 
     Options options_;
     DeskScreen desk_;
-    std::optional<HeadsetScreen>
-        headset_;  ///< Before the stage, whose senses stop its controllers' motors at the end.
+    std::optional<HeadsetScreen> headset_;  ///< Before the stage, which stills the hands at its end.
     Stage stage_;
     std::optional<ScriptPlayer> script_;
     ScriptedHand scripted_;

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The whole feelem-xr at the desk: desk_run_test.py FEELEM_XR FEELEM PROJECT SCRATCH. 77: what it needs is not here."""
+"""The whole feelem-xr, at the desk and in a scripted headset. 77: what it needs is not here.
+
+desk_run_test.py FEELEM_XR FEELEM PROJECT SCRATCH SCRIPTED_RUNTIME.json
+"""
 import json
 import os
 import pathlib
@@ -22,6 +25,10 @@ SCRIPT = """
 1.3 screenshot {folder}/cut.png
 1.35 key Ctrl+S
 1.4 quit
+"""
+HEADSET = """
+0 pose right 0.15 1.2 -0.3 -0.1080 0.0810 0 0.9908  # at the boiler
+5 input right trigger/value 1
 """
 
 
@@ -150,6 +157,28 @@ class DeskRun(unittest.TestCase):
         for name in ("sweep.png", "cut.png", "session/session.jsonl", "session/sound.wav"):
             self.assertEqual((first / name).read_bytes(), (second / name).read_bytes(), name)
 
+    def test_end_of_the_program_stills_a_hand_that_shakes(self):
+        folder = self.scratch / "headset"
+        folder.mkdir()
+        (folder / "script").write_text(HEADSET)
+        record = folder / "record.jsonl"
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")}
+        environment.update(LIBGL_ALWAYS_SOFTWARE="1", XR_RUNTIME_JSON=str(self.runtime),
+                           FEELEM_XR_SCRIPT=str(folder / "script"), FEELEM_XR_RECORD=str(record))
+        told = []
+        for seconds in (4, 16, 64):  # On a busy machine it takes a while until the model is there.
+            record.unlink(missing_ok=True)
+            ran = subprocess.run([self.viewer, self.scene, "--xr=require", "--seconds", str(seconds)],
+                                 env=environment, capture_output=True, text=True, timeout=150)
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            told = [json.loads(line) for line in record.read_text().splitlines()]
+            if any(line.get("haptic") not in (None, "stop") for line in told):
+                break
+        told = [line for line in told if "haptic" in line or "session" in line]
+        self.assertEqual(told[-1]["session"], "destroyed")
+        self.assertEqual(told[-2].get("haptic"), "stop", "the last pulse is ended while there is a session")
+        self.assertGreater(len(told), 3, "and there was one")
+
     def test_what_cannot_be_is_said_with_the_right_exit_code(self):
         def run(*given):
             return subprocess.run([self.viewer, *given], capture_output=True, text=True, timeout=60,
@@ -174,4 +203,5 @@ if __name__ == "__main__":
         sys.exit(SKIPPED)
     viewer, feelem, project, scratch = (pathlib.Path(a).resolve() for a in sys.argv[1:5])
     DeskRun.viewer, DeskRun.feelem, DeskRun.project, DeskRun.scratch = viewer, feelem, project, scratch
-    unittest.main(argv=sys.argv[:1], verbosity=2)
+    DeskRun.runtime = pathlib.Path(sys.argv[5]).resolve()
+    unittest.main(argv=[sys.argv[0], *sys.argv[6:]], verbosity=2)
