@@ -58,6 +58,7 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::NonNegativeNumber)
         ->option_text(" ");
     app.add_flag("--dark", options.dark, "Dark panels and background");
+    app.add_flag("--left-handed", options.left_handed, "Boards and buttons of the headset mirrored");
     app.add_flag("--mute", options.mute, "Begin without sound");
 }
 

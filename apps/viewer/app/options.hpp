@@ -33,6 +33,7 @@ struct Options {
     std::array<int, 2> size{1280, 800};
     bool dark = false;
     bool mute = false;
+    bool left_handed = false;
     std::optional<double> seconds;  ///< Ends by itself.
 };
 

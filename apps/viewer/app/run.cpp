@@ -70,6 +70,7 @@ public:
         : options_(options), desk_(options, wants_window(options)), stage_(scene, sound_of(options, desk_)) {
         stage_.devices().theme = options.dark ? Theme::Dark : Theme::Light;
         stage_.viewer().state.sound = !options.mute;
+        stage_.viewer().state.person.left_handed = options.left_handed;
         if (options.headset != UseHeadset::Off && options.screenshot.empty())
             headset_.emplace(XrOptions{"feelem-xr", options.headset == UseHeadset::Require});
         if (!options.record.empty())
@@ -176,7 +177,8 @@ bool Session::frame() {
         if (desk_.wants_headset_again()) headset_->ask_again();
         in_headset = headset_->frame(stage_, at, desk.input.commands);
     }
-    if (!in_headset) {
+    // A headset that asks for no picture now keeps the room as it is.
+    if (!in_headset && !(headset_ && headset_->is_shown())) {
         desk_.lend_motors(stage_.senses());
         stage_.set_budget(script_ || !options_.screenshot.empty() ? 0 : kDeskFrame);
         stage_.step(desk.input);
@@ -184,7 +186,7 @@ bool Session::frame() {
     if (recording_) {
         const Frame& was = stage_.frame();
         recording_->add(was.input, was.snapshot, was.pulses, stage_.senses().take_sound());
-        stage_.devices().trouble = recording_->trouble();
+        if (!recording_->trouble().empty()) stage_.devices().trouble = recording_->trouble();
     }
     keep_presentation();
     if (!desk.dropped.empty())

@@ -4,7 +4,11 @@
 #include "viewer/app/scene_source.hpp"
 #include "viewer/ui/numbers.hpp"
 
+#include "feelem/error.hpp"
+
 #include <glm/common.hpp>
+
+#include <limits>
 
 namespace feelem::viewer {
 namespace {
@@ -22,8 +26,35 @@ Rgb background_of(Theme theme) {
 Stage::Stage(const std::string& scene_path, const SoundOutputOptions& sound)
     : scene_(scene_path), viewer_(source_of(scene_)), senses_(sound),
       growing_([this] { viewer_.prober.grow(); }) {
-    renderer_.set_model(drawn_model(scene_));
+    renderer_.set_model(drawn());
     viewer_.value_text = with_unit;
+}
+
+/// Of a scene whose file is damaged further on, what cannot be read is left out, and the panels say so.
+DrawnModel Stage::drawn() {
+    DrawnModel model = drawn_model(scene_);
+    model.values = [this, read = model.values](std::size_t result, std::size_t values) -> const FieldValues& {
+        try {
+            return read(result, values);
+        } catch (const Error& error) {
+            devices_.trouble = error.what();
+            const std::size_t rows = scene_.geometry().positions.size();
+            missing_.components = scene_.about().results.at(result).components.size();
+            missing_.values.assign(rows * missing_.components, std::numeric_limits<float>::quiet_NaN());
+            missing_.validity.assign(rows, Validity::Missing);
+            return missing_;
+        }
+    };
+    model.level = [this, read = model.level](std::size_t level
+                  ) -> const std::vector<std::array<std::uint32_t, 3>>& {
+        try {
+            return read(level);
+        } catch (const Error& error) {
+            devices_.trouble = error.what();
+            return scene_.geometry().triangles;
+        }
+    };
+    return model;
 }
 
 Stage::~Stage() {

@@ -58,12 +58,15 @@ public:
     bool is_ready() const { return viewer_.prober.is_ready() && renderer_.is_complete(); }
 
 private:
+    DrawnModel drawn();
+
     LoadedScene scene_;
     Viewer viewer_;
     Renderer renderer_;
     SenseOutputs senses_;
     DeviceWords devices_;
     Frame frame_;
+    FieldValues missing_;  ///< Stands for values that cannot be read.
     Governor governor_;
     FrameTimer timer_;
     double budget_ = 0;

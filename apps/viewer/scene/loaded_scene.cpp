@@ -58,11 +58,10 @@ const glm::mat4& LoadedScene::to_metres() const noexcept {
 
 const FieldValues& LoadedScene::values(std::size_t result, std::size_t values) {
     State& state = *state_;
-    const auto [kept, is_new] = state.values.try_emplace({result, values});
-    FieldValues& out = kept->second;
-    if (!is_new) return out;
-    const SceneResult& about = state.about.results.at(result);
-    out.components = about.components.size();
+    const std::pair key{result, values};
+    if (const auto kept = state.values.find(key); kept != state.values.end()) return kept->second;
+    FieldValues out;
+    out.components = state.about.results.at(result).components.size();
     const std::size_t rows = state.geometry.positions.size();
     out.values.assign(rows * out.components, std::numeric_limits<float>::quiet_NaN());
     out.validity.assign(rows, Validity::Missing);
@@ -70,19 +69,17 @@ const FieldValues& LoadedScene::values(std::size_t result, std::size_t values) {
         const auto field = read_field(state.file, state.parts, {result, values, part});
         if (!field) continue;
         const auto first = static_cast<std::ptrdiff_t>(state.geometry.parts[part].first_vertex);
-        std::ranges::copy(
-            field->values, out.values.begin() + first * static_cast<std::ptrdiff_t>(out.components)
-        );
+        const auto width = static_cast<std::ptrdiff_t>(out.components);
+        std::ranges::copy(field->values, out.values.begin() + first * width);
         std::ranges::copy(field->validity, out.validity.begin() + first);
     }
-    return out;
+    return state.values.emplace(key, std::move(out)).first->second;
 }
 
 const std::vector<std::array<std::uint32_t, 3>>& LoadedScene::level(std::size_t level) {
     State& state = *state_;
-    const auto [kept, is_new] = state.levels.try_emplace(level);
-    if (is_new) kept->second = join_level(state.file, state.geometry, level);
-    return kept->second;
+    if (const auto kept = state.levels.find(level); kept != state.levels.end()) return kept->second;
+    return state.levels.emplace(level, join_level(state.file, state.geometry, level)).first->second;
 }
 
 std::optional<FieldChoice> LoadedScene::find(const PresentedResult& wanted, std::size_t step) const {

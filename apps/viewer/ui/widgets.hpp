@@ -24,8 +24,8 @@ struct Pen {
     std::vector<UiTarget>& targets;
     UiColours colours;
     UiFonts fonts;
-    float unit = 1;          ///< Pixels a point.
-    bool is_board = false;   ///< In the room: nothing can be typed.
+    float unit = 1;         ///< Pixels a point.
+    bool is_board = false;  ///< In the room: nothing can be typed.
     std::optional<glm::vec2> pointer = {};
     std::string group = {};  ///< What targets' names begin with.
 

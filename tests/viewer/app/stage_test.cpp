@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <string>
 
 namespace feelem::viewer {
 namespace {
@@ -60,6 +61,47 @@ TEST_F(Stages, frames_over_their_budget_are_drawn_coarser_and_the_finest_again_a
     frame();
     EXPECT_EQ(stage_->fineness().resolution, 1);
     EXPECT_TRUE(stage_->frame().look.edges);
+}
+
+/// A packed scene with damage somewhere behind its geometry: it opens, but the stress cannot be read. Empty:
+/// none was found.
+std::string damaged_scene(const std::string& folder) {
+    Job job;
+    job.inputs = {test::project_file("examples/boiler/boiler.frd")};
+    job.output = folder + "/boiler.glb";
+    job.presentation_file = test::project_file("examples/boiler/boiler.presentation.json");
+    job.compress = true;
+    Diagnostics diagnostics;
+    convert(job, diagnostics, {});
+    constexpr std::size_t kDamage = 2048;
+    const std::string whole = test::read_file(job.output), path = folder + "/damaged.bin";
+    for (std::size_t percent = 98; percent > 20; --percent) {
+        std::string bytes = whole;
+        bytes.replace(bytes.size() * percent / 100, kDamage, std::string(kDamage, '\xFF'));
+        test::write_file(path, bytes);
+        try {
+            LoadedScene scene(path);
+            const auto stress = scene.find(scene.about().presentation.results[2], 0);
+            try {
+                (void)scene.values(stress.value().result, stress.value().values);
+            } catch (const Error&) {
+                return path;
+            }
+        } catch (const Error&) {
+            continue;
+        }
+    }
+    return {};
+}
+
+TEST_F(Stages, a_scene_that_is_damaged_behind_its_geometry_is_drawn_without_what_cannot_be_read) {
+    const std::string path = damaged_scene(test::scratch_folder("viewer_stage_damaged"));
+    ASSERT_NE(path, "");
+    stage_.emplace(path, SoundOutputOptions{SoundDevice::None, false});
+    assign(stage_->viewer().state, "S", Sense::Colour);
+    for (int i = 0; i < 20; ++i) frame();
+    EXPECT_NE(stage_->panels().trouble, "");
+    EXPECT_GT(stage_->renderer().counts().triangles, 0U);
 }
 
 TEST_F(Stages, without_a_budget_pictures_do_not_depend_on_the_machine) {
