@@ -9,12 +9,16 @@ export const here = dirname(fileURLToPath(import.meta.url));
 export const root = join(here, '..', '..');
 export const require = createRequire(join(root, 'web', 'package.json'));
 
-/** All scenes below a folder, but for those in folders named "broken" and "stand_ins" (the server's), which only look like scenes. */
+/**
+ * All scenes below a folder, but for those in folders named "broken" and "stand_ins" (the server's), which only look like scenes, and
+ * those of the native viewer's tests, which write what others have written and may run at the same time.
+ */
 export function scenesIn(folder) {
   const found = [];
   for (const entry of readdirSync(folder, { withFileTypes: true })) {
     const path = join(folder, entry.name);
-    if (entry.isDirectory() && entry.name !== 'broken' && entry.name !== 'stand_ins') found.push(...scenesIn(path));
+    const isOurs = !['broken', 'stand_ins'].includes(entry.name) && !entry.name.startsWith('viewer_');
+    if (entry.isDirectory() && isOurs) found.push(...scenesIn(path));
     else if (entry.isFile() && /\.(glb|gltf)$/.test(entry.name)) found.push(path);
   }
   return found.sort();
