@@ -66,8 +66,10 @@ bool wants_window(const Options& options) {
 
 class Session {
 public:
-    Session(const Options& options, const std::string& scene)
-        : options_(options), desk_(options, wants_window(options)), stage_(scene, sound_of(options, desk_)) {
+    Session(const Options& options, const SceneForViewing& scene)
+        // A scene that was made for this run holds the presentation already, with its ranges found.
+        : options_(options), desk_(options, wants_window(options)),
+          stage_(scene.path(), sound_of(options, desk_), scene.is_made() ? "" : options.presentation) {
         stage_.devices().theme = options.dark ? Theme::Dark : Theme::Light;
         stage_.viewer().state.sound = !options.mute;
         stage_.viewer().state.person.left_handed = options.left_handed;
@@ -152,12 +154,14 @@ bool Session::rest(double time, bool headset_shows) {
     return rests;
 }
 
-/// Beside the scene; of results that were converted for this run, beside the first of them.
+/// Into the file that --present named, else beside the scene, or beside the first of the results that were
+/// converted.
 void Session::keep_presentation() {
     ViewerState& state = stage_.viewer().state;
     if (!std::exchange(state.wants_save, false)) return;
-    std::filesystem::path path(options_.inputs.front());
-    path.replace_extension(".presentation.json");
+    std::filesystem::path path(options_.presentation);
+    if (path.empty())
+        path = std::filesystem::path(options_.inputs.front()).replace_extension(".presentation.json");
     try {
         save_presentation(state, stage_.viewer().model, path.string());
         state.notice = fmt::format("Saved as {}.", path.filename().string());
@@ -178,12 +182,13 @@ bool Session::frame() {
         in_headset = headset_->frame(stage_, at, desk.input.commands);
     }
     // A headset that asks for no picture now keeps the room as it is.
-    if (!in_headset && !(headset_ && headset_->is_shown())) {
+    const bool is_at_desk = !in_headset && !(headset_ && headset_->is_shown());
+    if (is_at_desk) {
         desk_.lend_motors(stage_.senses());
         stage_.set_budget(script_ || !options_.screenshot.empty() ? 0 : kDeskFrame);
         stage_.step(desk.input);
     }
-    if (recording_) {
+    if (recording_ && (in_headset || is_at_desk)) {
         const Frame& was = stage_.frame();
         recording_->add(was.input, was.snapshot, was.pulses, stage_.senses().take_sound());
         if (!recording_->trouble().empty()) stage_.devices().trouble = recording_->trouble();
@@ -230,7 +235,7 @@ int run(const Options& options) {
     Diagnostics diagnostics;
     const SceneForViewing scene(job, diagnostics, {});
     for (const Diagnostic& entry : diagnostics.entries()) fmt::print(stderr, "note: {}\n", entry.text);
-    return Session(options, scene.path()).run();
+    return Session(options, scene).run();
 }
 
 }  // namespace feelem::viewer

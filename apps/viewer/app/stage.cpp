@@ -23,8 +23,10 @@ Rgb background_of(Theme theme) {
     return theme == Theme::Dark ? kDarkBackground : kLightBackground;
 }
 
-Stage::Stage(const std::string& scene_path, const SoundOutputOptions& sound)
-    : scene_(scene_path), viewer_(source_of(scene_)), senses_(sound),
+Stage::Stage(
+    const std::string& scene_path, const SoundOutputOptions& sound, const std::string& presentation_file
+)
+    : scene_(scene_path, presentation_file), viewer_(source_of(scene_)), senses_(sound),
       growing_([this] { viewer_.prober.grow(); }) {
     renderer_.set_model(drawn());
     viewer_.value_text = with_unit;

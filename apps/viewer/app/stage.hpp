@@ -31,7 +31,11 @@ struct Frame {
 /// Needs a current OpenGL context from the first to the last.
 class Stage {
 public:
-    Stage(const std::string& scene_path, const SoundOutputOptions& sound);
+    Stage(
+        const std::string& scene_path,
+        const SoundOutputOptions& sound,
+        const std::string& presentation_file = {}
+    );
     ~Stage();
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;

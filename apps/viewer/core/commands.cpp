@@ -17,32 +17,14 @@ constexpr double kClipStep = 0.01;
 /// How near the desk's camera comes to a place that is gone to: a part of the model's size.
 constexpr float kNearness = 0.6F;
 
-/// What a scene without a presentation shows: temperature seen, displacement heard, stress felt.
-Presentation default_presentation(ViewerState& state, const Scene& scene) {
-    struct Wanted {
-        const char *name, *component;
-        Sense sense;
-    };
-    constexpr Wanted kWanted[] = {
-        {"temperature", "value", Sense::Colour},
-        {"displacement", "magnitude", Sense::Pitch},
-        {"stress", "von_mises", Sense::Pulses}};
-    state.presentation.title = scene.title;
-    for (const Wanted& wanted : kWanted) {
-        PresentedResult result;
-        result.name = wanted.name;
-        result.component = wanted.component;
-        const auto found = find_component(scene, result);
-        if (!found) continue;
-        const std::string key = add_result(state, scene, found->result, found->component);
-        assign(state, key, wanted.sense);
-        if (result.name == "displacement") assign(state, key, Sense::Shape);
+/// What a scene without a presentation shows: as the converter chooses (docs/effects.md 7).
+Presentation default_presentation(const Scene& scene) {
+    std::vector<Candidate> candidates;
+    for (const SceneResult& result : scene.results) {
+        if (result.components.size() != 1) continue;
+        candidates.push_back({result.quantity, result.components.front(), result.unit});
     }
-    if (state.presentation.results.empty() && !scene.results.empty()) add_result(state, scene, 0, 0);
-    if (!state.presentation.results.empty() && effect_of(state.presentation, Sense::Colour) == nullptr) {
-        assign(state, state.presentation.results.front().key, Sense::Colour);
-    }
-    return state.presentation;
+    return choose_presentation(candidates, scene.title);
 }
 
 std::size_t first_step(const Scene& scene) {
@@ -100,7 +82,7 @@ ViewerState first_state(const ViewedModel& model) {
     ViewerState state;
     const Scene& scene = model.about();
     state.presentation = scene.presentation;
-    if (state.presentation.results.empty()) state.presentation = default_presentation(state, scene);
+    if (state.presentation.results.empty()) state.presentation = default_presentation(scene);
     state.step = first_step(scene);
     state.parts.assign(model.arrays().parts.size(), PartLook::Shown);
     if (const auto factor = state.presentation.deformation_factor) {

@@ -246,11 +246,15 @@ void next_result(ViewerState& state, const ViewedModel& model) {
     assign(state, behind == keys.end() ? keys.front() : *behind, Sense::Colour);
 }
 
-std::optional<double> utilisation(double value, const PresentedResult& result) {
-    if (!result.limit || std::isnan(value) || *result.limit <= 0) return std::nullopt;
-    if (result.limit_is_upper) return value / *result.limit;
+std::optional<double> utilisation(double value, std::optional<double> limit, bool limit_is_upper) {
+    if (!limit || std::isnan(value) || !(*limit > 0)) return std::nullopt;
+    if (limit_is_upper) return value / *limit;
     // At least 1.5 wanted, 3 found: half of it is used.
-    return value > 0 ? std::optional(*result.limit / value) : std::nullopt;
+    return value > 0 ? std::optional(*limit / value) : std::nullopt;
+}
+
+std::optional<double> utilisation(double value, const PresentedResult& result) {
+    return utilisation(value, result.limit, result.limit_is_upper);
 }
 
 bool is_past_limit(double value, const PresentedResult& result) {

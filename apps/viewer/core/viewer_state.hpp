@@ -221,6 +221,7 @@ void next_hot_spot(ViewerState& state, const ViewedModel& model, int by);
 void place_marker(ViewerState& state, std::optional<std::int64_t> node);
 void remove_marker(ViewerState& state, int id);
 /// 1: at the limit. Empty without a limit, or where a share of it means nothing.
+std::optional<double> utilisation(double value, std::optional<double> limit, bool limit_is_upper);
 std::optional<double> utilisation(double value, const PresentedResult& result);
 
 bool is_past_limit(double value, const PresentedResult& result);

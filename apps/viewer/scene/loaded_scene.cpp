@@ -2,6 +2,7 @@
 // Parts of a scene joined into one set of arrays; results and levels when they are asked for.
 #include "viewer/scene/loaded_scene.hpp"
 
+#include "base/input.hpp"
 #include "convert/scene_target.hpp"
 #include "scene/scene_read.hpp"
 #include "viewer/scene/join_parts.hpp"
@@ -30,11 +31,17 @@ struct LoadedScene::State {
     std::map<std::size_t, std::vector<std::array<std::uint32_t, 3>>> levels;
 };
 
-LoadedScene::LoadedScene(const std::string& path) : state_(std::make_unique<State>(path)) {
+LoadedScene::LoadedScene(const std::string& path, const std::string& presentation_file)
+    : state_(std::make_unique<State>(path)) {
     State& state = *state_;
     const SceneDocument& document = state.file.document();
     state.about = document.scene;
-    state.about.presentation = read_presentation(state.file);
+    if (presentation_file.empty()) {
+        state.about.presentation = read_presentation(state.file);
+    } else {
+        const Input input = Input::from_file(presentation_file);
+        state.about.presentation = parse_presentation(input.text(), input.name());
+    }
     state.parts = read_parts(state.file);
     state.geometry = join_parts(state.file, state.parts);
     for (ScenePart& part : state.parts)

@@ -47,7 +47,8 @@ struct FieldValues {
 /// Throws Error(BadScene, FileNotFound, ...). Not for use by several threads at once.
 class LoadedScene {
 public:
-    explicit LoadedScene(const std::string& path);
+    /// `presentation_file`: instead of the scene's own; empty: that one.
+    explicit LoadedScene(const std::string& path, const std::string& presentation_file = {});
     ~LoadedScene();
     LoadedScene(const LoadedScene&) = delete;
     LoadedScene& operator=(const LoadedScene&) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is at the place that is pointed at: every result with number and unit, and the solver's own at the
 // node.
+#include "viewer/core/viewer_state.hpp"
 #include "viewer/ui/numbers.hpp"
 #include "viewer/ui/panels.hpp"
 

@@ -185,11 +185,4 @@ std::vector<double> label_positions(int bands) {
     return out;
 }
 
-std::optional<double> utilisation(double value, std::optional<double> limit, bool limit_is_upper) {
-    if (!limit || std::isnan(value) || !(*limit > 0)) return std::nullopt;
-    if (limit_is_upper) return value / *limit;
-    if (value > 0) return *limit / value;
-    return std::nullopt;
-}
-
 }  // namespace feelem::viewer

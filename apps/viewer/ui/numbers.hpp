@@ -30,7 +30,5 @@ std::string bound_text(double bound);
 double value_at_position(double t, const ValueRange& range);
 /// Positions of a legend's labels: every band edge while there is room, else evenly spread.
 std::vector<double> label_positions(int bands);
-/// Part of the limit that is used: 1 at it. Empty: there is none, or a share of it means nothing.
-std::optional<double> utilisation(double value, std::optional<double> limit, bool limit_is_upper);
 
 }  // namespace feelem::viewer

@@ -128,6 +128,18 @@ TEST(LoadedScene, a_presentation_finds_its_component) {
     EXPECT_FALSE(loaded.find(about.presentation.results[2], 7));
 }
 
+TEST(LoadedScene, another_presentation_takes_the_place_of_the_scenes_own) {
+    const std::string& scene = boiler_scene();
+    const std::string other = scene + ".presentation.json";
+    test::write_file(other, R"({"format": "feelem-presentation", "version": 1, "results": [
+        {"key": "V", "name": "stress", "component": "von_mises", "location": "nodal"}],
+        "effects": [{"result": "V", "sense": "visual", "type": "colour", "map": "viridis"}]})");
+    const LoadedScene loaded(scene, other);
+    ASSERT_EQ(loaded.about().presentation.results.size(), 1U);
+    EXPECT_EQ(loaded.about().presentation.results[0].key, "V");
+    EXPECT_TRUE(loaded.find(loaded.about().presentation.results[0], 0));
+}
+
 TEST(LoadedScene, what_is_not_a_scene_says_so) {
     const std::string path = folder() + "/not_a_scene.bin";
     test::write_file(path, "glTF but no more");

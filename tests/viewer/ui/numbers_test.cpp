@@ -2,6 +2,7 @@
 // Numbers read the same in the window and on the page: tests/contract/numbers.json, made here, checked by the
 // page's tests too. FEELEM_UPDATE_GOLDEN=1 writes it anew; the difference is then for people to judge.
 #include "support/paths.hpp"
+#include "viewer/core/viewer_state.hpp"
 #include "viewer/ui/numbers.hpp"
 
 #include <fmt/format.h>
