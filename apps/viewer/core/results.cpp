@@ -113,7 +113,9 @@ std::optional<std::array<double, 2>> extremes_at(
 
 ValueRange range_at(const ViewerState& state, const ViewedModel& model, const PresentedResult& result) {
     ValueRange range{0, 1, result.scale};
-    const bool is_typed = result.range_mode == "manual" || result.range_mode == "percentile";
+    // Ends that only the converter finds, or that nobody has typed, are not there in every file.
+    const bool is_typed =
+        (result.range_mode == "manual" || result.range_mode == "percentile") && result.lo && result.hi;
     const auto automatic = is_typed ? std::nullopt : automatic_ends(model, result, state.step);
     if (automatic) {
         range.lo = automatic->lo;
