@@ -143,6 +143,12 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
         )
             ->option_text(" ");
     }
+    if (has(takes, Takes::Output) || has(takes, Takes::Serving))
+        app.add_flag_callback(
+            "--no-input-digest",
+            [&hash = options.job.read.hash_inputs] { hash = false; },
+            "No SHA-256 of the inputs: faster for huge files, and the scene cannot prove them"
+        );
     if (has(takes, Takes::Reading)) add_reading_options(app, options.job);
     if (has(takes, Takes::Model)) add_model_options(app, options.job, texts);
     if (has(takes, Takes::Levels))
@@ -177,7 +183,9 @@ void add_options(CLI::App& app, const Command& command, Options& options, Texts&
         )
             ->option_text(" ");
         app.add_option("--key", options.key_file, "FILE: its key")->option_text(" ");
-        app.add_flag("!--no-open", options.open_browser, "Do not open a browser");
+        app.add_flag_callback(
+            "--no-open", [&open = options.open_browser] { open = false; }, "Do not open a browser"
+        );
     }
     app.add_option("--threads", options.threads, "N: threads at most; 0: all of them (0)")
         ->check(CLI::Range(0U, 65535U).description(""))

@@ -17,7 +17,7 @@ struct InputRecord {
     std::string path;
     std::string format;  ///< Id of the reader: "calculix-frd".
     std::uint64_t bytes = 0;
-    std::string sha256;  ///< Lower-case hex.
+    std::string sha256;  ///< Lower-case hex; empty: none was made (ReadOptions::hash_inputs).
 };
 
 struct SolverInfo {

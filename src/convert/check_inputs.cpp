@@ -64,9 +64,26 @@ Claim check_positions(const Mesh& mesh, const Scene& scene) {
     return tally.claim();
 }
 
-const InputRecord* with_digest(std::span<const InputRecord> inputs, const std::string& sha256) {
-    const auto found = std::ranges::find(inputs, sha256, &InputRecord::sha256);
-    return found == inputs.end() ? nullptr : &*found;
+std::string last_name(const std::string& path) {
+    return path.substr(path.find_last_of('/') + 1);
+}
+
+/// By their digests; by name and size where the scene was made without them.
+bool are_one_file(const InputRecord& given, const InputRecord& recorded) {
+    if (!recorded.sha256.empty()) return given.sha256 == recorded.sha256;
+    return given.bytes == recorded.bytes && last_name(given.path) == last_name(recorded.path);
+}
+
+const InputRecord* given_for(std::span<const InputRecord> given, const InputRecord& recorded) {
+    const auto found =
+        std::ranges::find_if(given, [&](const InputRecord& one) { return are_one_file(one, recorded); });
+    return found == given.end() ? nullptr : &*found;
+}
+
+const InputRecord* recorded_for(std::span<const InputRecord> recorded, const InputRecord& given) {
+    const auto found =
+        std::ranges::find_if(recorded, [&](const InputRecord& one) { return are_one_file(given, one); });
+    return found == recorded.end() ? nullptr : &*found;
 }
 
 /// The second node list of the node map is among the inputs when a folder is given that holds it.
@@ -77,9 +94,7 @@ Job with_surface_nodes(const ModelSource& source, const Scene& scene, Job job) {
     if (!job.surface_nodes_file.empty()) return job;
     for (const InputRecord& input : scene.inputs) {
         if (input.format != kSurfaceNodesFormat) continue;
-        if (const InputRecord* file = with_digest(source.inputs(), input.sha256)) {
-            job.surface_nodes_file = file->path;
-        }
+        if (const InputRecord* file = given_for(source.inputs(), input)) job.surface_nodes_file = file->path;
     }
     return job;
 }
@@ -88,15 +103,17 @@ Job with_surface_nodes(const ModelSource& source, const Scene& scene, Job job) {
 void check_files(const ModelSource& source, const Scene& scene, const Job& job, std::vector<Claim>& claims) {
     std::vector<InputRecord> given(source.inputs().begin(), source.inputs().end());
     auto list = surface_nodes_record(job);
-    if (list && with_digest(given, list->sha256) == nullptr) given.push_back(std::move(*list));
+    if (list && given_for(given, *list) == nullptr) given.push_back(std::move(*list));
     for (const InputRecord& input : given) {
-        const bool known = with_digest(scene.inputs, input.sha256) != nullptr;
-        const std::string name = input.path.substr(input.path.find_last_of('/') + 1);
+        const InputRecord* known = recorded_for(scene.inputs, input);
+        const std::string wanted = known != nullptr && known->sha256.empty()
+                                       ? "an input of this scene, by name and size"
+                                       : "an input of this scene";
         claims.push_back(
-            {"input " + name,
-             "an input of this scene",
-             known ? "an input of this scene" : "another file",
-             known}
+            {"input " + last_name(input.path),
+             wanted,
+             known != nullptr ? wanted : "another file",
+             known != nullptr}
         );
     }
 }

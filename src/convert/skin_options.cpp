@@ -48,7 +48,8 @@ std::vector<NodeId> read_surface_nodes(std::string_view text, std::string_view n
 std::optional<InputRecord> surface_nodes_record(const Job& job) {
     if (job.skin.method != SkinMethod::NodeList || job.surface_nodes_file.empty()) return std::nullopt;
     const Input input = Input::from_file(job.surface_nodes_file);
-    return InputRecord{input.name(), std::string(kSurfaceNodesFormat), input.size(), sha256_hex(input)};
+    std::string digest = job.read.hash_inputs ? sha256_hex(input) : std::string();
+    return InputRecord{input.name(), std::string(kSurfaceNodesFormat), input.size(), std::move(digest)};
 }
 
 SkinOptions skin_options(const Job& job) {

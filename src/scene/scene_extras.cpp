@@ -17,7 +17,8 @@ void write_inputs(JsonText& json, const SceneContents& contents) {
     for (const InputRecord& input : contents.inputs) {
         const std::size_t slash = input.path.find_last_of('/');
         json.begin_object().member("name", input.path.substr(slash == std::string::npos ? 0 : slash + 1));
-        json.member("format", input.format).member("bytes", input.bytes).member("sha256", input.sha256);
+        json.member("format", input.format).member("bytes", input.bytes);
+        json.key("sha256").text_or_null(input.sha256);
         json.end_object();
     }
     json.end_array();

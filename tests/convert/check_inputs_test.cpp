@@ -139,6 +139,22 @@ TEST(CheckInputs, find_a_changed_centre_by_its_last_bit) {
     EXPECT_THAT(broken_claims(scene.path, job), Contains(HasSubstr("values of temperature at step 1")));
 }
 
+TEST(CheckInputs, know_an_input_without_digest_by_name_and_size) {
+    Job job;
+    job.inputs = {scratch_folder("no_digest_input") + "/shell.frd"};
+    const std::string text = frd_of_one_shell({1, 2, 3, 4, 5, 6, 7, 9});
+    write_file(job.inputs[0], text);
+    job.read.hash_inputs = false;
+    const std::string scene = converted(job, "no_digest");
+    EXPECT_THAT(read_file(scene), HasSubstr(R"("name":"shell.frd","format":"calculix-frd","bytes":)"));
+    EXPECT_THAT(read_file(scene), HasSubstr(R"("sha256":null)"));
+
+    job.read.hash_inputs = true;
+    EXPECT_THAT(broken_claims(scene, job), IsEmpty());
+    write_file(job.inputs[0], text + "\n");
+    EXPECT_THAT(broken_claims(scene, job), Contains("input shell.frd: another file"));
+}
+
 TEST(CheckInputs, find_a_changed_value_under_a_new_digest) {
     Forged scene(kFrd, "forged_value");
     std::vector<std::uint32_t> values = scene.get<std::uint32_t>("p0/_TEMPERATURE/1");

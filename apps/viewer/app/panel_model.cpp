@@ -241,7 +241,10 @@ std::vector<UiFact> facts_of(const Scene& scene) {
     std::vector<UiFact> facts;
     for (const auto& [name, value] : scene.notes) facts.push_back({name, value});
     for (const InputRecord& input : scene.inputs)
-        facts.push_back({input.path, fmt::format("SHA-256 {:.16}…", input.sha256)});
+        facts.push_back(
+            {input.path,
+             input.sha256.empty() ? "no digest was made" : fmt::format("SHA-256 {:.16}…", input.sha256)}
+        );
     return facts;
 }
 
