@@ -11,13 +11,17 @@ namespace feelem {
 /// `count` columns of 8 to 16 characters from `at` on: blanks, then one to eight digits up to the last.
 /// False: something else stands in one of them, and `out` holds nothing. Reads no byte outside the columns.
 bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::int64_t* out);
+bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::uint32_t* out);
 
 /// The same on any processor.
 bool columns_of_integers_portable(const char* at, std::size_t width, std::size_t count, std::int64_t* out);
+bool columns_of_integers_portable(const char* at, std::size_t width, std::size_t count, std::uint32_t* out);
 
 /// Three columns of 21 characters as Fortran's E21.13E3 prints reals: -1.2345678901234E+001, exponents from
 /// -9 to 13, each rounded once. False: something else stands in one of them.
 bool three_reals_of_21(const char* at, double* out);
+/// The same without registers of 512 bits.
+bool narrow_three_reals_of_21(const char* at, double* out);
 
 /// `count` columns of 12 to 20 characters as Fortran's G prints reals: at least one blank or a sign, digits
 /// with a point, and then four blanks or an exponent E-02; each rounded once. False: something else stands in

@@ -5,6 +5,7 @@
 #if defined(__x86_64__)
 
 #include "base/eight_digits.hpp"
+#include "base/wide_columns.hpp"
 
 #include <immintrin.h>
 
@@ -81,8 +82,12 @@ FEELEM_AVX2 bool three_reals(const char* at, double* out) {
 
 }  // namespace
 
-bool three_reals_of_21(const char* at, double* out) {
+bool narrow_three_reals_of_21(const char* at, double* out) {
     return has_fast_columns() && three_reals(at, out);
+}
+
+bool three_reals_of_21(const char* at, double* out) {
+    return has_wide_columns() ? wide_three_reals_of_21(at, out) : narrow_three_reals_of_21(at, out);
 }
 
 }  // namespace feelem
@@ -90,6 +95,10 @@ bool three_reals_of_21(const char* at, double* out) {
 #else
 
 namespace feelem {
+
+bool narrow_three_reals_of_21(const char*, double*) {
+    return false;
+}
 
 bool three_reals_of_21(const char*, double*) {
     return false;

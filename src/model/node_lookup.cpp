@@ -2,6 +2,7 @@
 #include "model/node_lookup.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace feelem {
 
@@ -34,6 +35,19 @@ bool NodeLookup::find(std::span<const std::uint32_t> ids, NodeIndex* out) const 
 template <class Id>
 bool NodeLookup::find_all(std::span<const Id> ids, NodeIndex* out) const noexcept {
     bool missing = false;
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    if (consecutive_ && sizeof(Id) == 4 && first_ >= 0 &&
+        raw(ids_.back()) <= static_cast<std::int64_t>(kMost)) {
+        // Numbers below the first wrap round to beyond the last: ids end where 32 bits do.
+        const auto first = static_cast<std::uint32_t>(first_);
+        const auto last = static_cast<std::uint32_t>(ids_.size() - 1);
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const std::uint32_t offset = static_cast<std::uint32_t>(ids[i]) - first;
+            missing |= offset > last;
+            out[i] = NodeIndex{offset};
+        }
+        return !missing;
+    }
     if (consecutive_) {
         const std::uint64_t count = ids_.size();
         for (std::size_t i = 0; i < ids.size(); ++i) {

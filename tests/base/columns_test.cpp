@@ -2,10 +2,12 @@
 // Many columns at once say what one after the other says, on any processor.
 #include "base/columns.hpp"
 #include "base/number.hpp"
+#include "base/wide_columns.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -47,10 +49,16 @@ TEST(Columns, of_integers_are_the_same_at_once_and_one_by_one) {
         std::vector<std::int64_t> all(count, -1), each(count, -1);
         const bool found = columns_of_integers(exact.bytes.get(), width, count, all.data());
         ASSERT_EQ(found, columns_of_integers_portable(exact.bytes.get(), width, count, each.data())) << text;
+        std::vector<std::uint32_t> short_all(count, 1), short_each(count, 1);
+        ASSERT_EQ(found, columns_of_integers(exact.bytes.get(), width, count, short_all.data())) << text;
+        ASSERT_EQ(found, columns_of_integers_portable(exact.bytes.get(), width, count, short_each.data()))
+            << text;
         (found ? good : bad) += 1;
         ASSERT_TRUE(found || damaged) << text;
         if (!found) continue;
         ASSERT_EQ(all, each) << text;
+        ASSERT_TRUE(std::ranges::equal(all, short_all)) << text;
+        ASSERT_EQ(short_all, short_each) << text;
         ASSERT_TRUE(damaged || all == wanted) << text;
     }
     EXPECT_GT(good, 30'000);
@@ -68,6 +76,8 @@ TEST(Columns, of_integers_refuse_what_is_no_number) {
             std::array<std::int64_t, 5> out{};
             EXPECT_FALSE(columns_of_integers(row.data(), 8, 5, out.data())) << row;
             EXPECT_FALSE(columns_of_integers_portable(row.data(), 8, 5, out.data())) << row;
+            std::array<std::uint32_t, 5> short_out{};
+            EXPECT_FALSE(columns_of_integers(row.data(), 8, 5, short_out.data())) << row;
         }
     }
 }
@@ -92,8 +102,13 @@ TEST(Columns, three_reals_are_the_nearest_doubles) {
         }
         if (i % 4 == 0) text[random() % text.size()] = static_cast<char>(random() % 256);
         const Exact exact(text);
-        std::array<double, 3> out{};
-        if (!three_reals_of_21(exact.bytes.get(), out.data())) continue;
+        std::array<double, 3> out{}, wide{};
+        const bool taken = narrow_three_reals_of_21(exact.bytes.get(), out.data());
+        if (has_wide_columns()) {
+            ASSERT_EQ(wide_three_reals_of_21(exact.bytes.get(), wide.data()), taken) << text;
+            ASSERT_TRUE(!taken || std::memcmp(out.data(), wide.data(), sizeof out) == 0) << text;
+        }
+        if (!taken) continue;
         ++known;
         for (std::size_t c = 0; c < 3; ++c) {
             const auto wanted = parse_double(text.substr(21 * c, 21));
@@ -125,6 +140,7 @@ TEST(Columns, three_reals_refuse_what_is_printed_otherwise) {
             std::string row = good + good + good;
             row.replace(21 * c, 21, other);
             EXPECT_FALSE(three_reals_of_21(row.data(), out.data())) << row;
+            EXPECT_FALSE(narrow_three_reals_of_21(row.data(), out.data())) << row;
         }
     }
 }

@@ -182,6 +182,36 @@ TEST(NodeLookup, finds_many_as_it_finds_each) {
     }
 }
 
+TEST(NodeLookup, finds_short_ids_as_it_finds_long_ones) {
+    constexpr std::int64_t kLast = 0xFFFF'FFFF;
+    const std::vector<std::vector<NodeId>> sets{
+        {NodeId{7}, NodeId{8}, NodeId{9}, NodeId{10}},
+        {NodeId{kLast - 1}, NodeId{kLast}},
+        {NodeId{kLast}, NodeId{kLast + 1}},
+        {NodeId{-1}, NodeId{0}, NodeId{1}},
+        {NodeId{1}, NodeId{500}}};
+    for (const auto& ids : sets) {
+        const NodeLookup lookup(ids);
+        for (const std::int64_t id :
+             {std::int64_t{0},
+              std::int64_t{1},
+              std::int64_t{6},
+              std::int64_t{8},
+              std::int64_t{11},
+              kLast - 2,
+              kLast - 1,
+              kLast}) {
+            const std::array<std::uint32_t, 1> wanted{static_cast<std::uint32_t>(id)};
+            std::array<NodeIndex, 1> found{};
+            const NodeIndex expected = lookup(NodeId{id});
+            ASSERT_EQ(lookup.find(wanted, found.data()), expected != kNoNode) << id;
+            if (expected != kNoNode) {
+                EXPECT_EQ(found[0], expected) << id;
+            }
+        }
+    }
+}
+
 TEST(Collapse, repeated_corners_are_noticed_wherever_they_stand) {
     std::vector<NodeIndex> corners;
     for (std::uint32_t i = 0; i < 8; ++i) corners.push_back(NodeIndex{100 * i});

@@ -62,44 +62,53 @@ void ElementChunk::read(
     std::size_t count = 0;  // Of nodes; 0: no shape is known yet.
     std::optional<RowShape> shape;
     while (reader.next()) {
-        const ElementRowIds& row = reader.row();
-        if (row.type != number || row.nodes.size() != count) {
-            number = row.type;
-            count = row.nodes.size();
+        if (reader.type() != number || reader.node_count() != count) {
+            number = reader.type();
+            count = reader.node_count();
             const TypeShape* type = types.find_type(number);
             shape = type == nullptr ? std::nullopt : shape_of(*type, count);
             // Rows that leave out or add nodes need more than this.
             if (shape && (shape->nodes != count || element_row(shape->type).node_count != count))
                 shape.reset();
         }
-        add(row, shape, nodes);
+        add(reader, shape, nodes);
     }
     close_chunk(end, reader.at(), reader.place(), reader.count(), reader.cut());
 }
 
-void ElementChunk::add(const ElementRowIds& row, std::optional<RowShape> shape, const NodeLookup& nodes) {
+template <class Id>
+bool ElementChunk::find_nodes(std::span<const Id> listed, RowShape shape, const NodeLookup& nodes) {
+    const std::size_t first = found.size();
+    found.resize(first + listed.size());
+    const ElementRow& element = element_row(shape.type);
+    const std::span<const NodeIndex> corners(found.data() + first, element.corner_count);
+    if (nodes.find(listed, found.data() + first) && (element.dimension < 2 || all_differ(corners)))
+        return true;
+    found.resize(first);
+    return false;
+}
+
+void ElementChunk::add(
+    ElementRowsReader& reader, const std::optional<RowShape>& shape, const NodeLookup& nodes
+) {
     const std::size_t at = ids.size();
-    ids.push_back(ElementId{row.id});
-    offsets.push_back(row.offset);
-    bool whole = shape.has_value();
+    ids.push_back(ElementId{reader.id()});
+    offsets.push_back(reader.offset());
+    const std::span<const std::uint32_t> plain = reader.plain_nodes();
+    const bool whole = shape && (plain.empty() ? find_nodes(reader.row().nodes, *shape, nodes)
+                                               : find_nodes(plain, *shape, nodes));
     if (whole) {
-        const std::size_t first = found.size();
-        found.resize(first + row.nodes.size());
-        const std::span<const NodeIndex> corners(found.data() + first, element_row(shape->type).corner_count);
-        whole = nodes.find(row.nodes, found.data() + first) &&
-                (element_row(shape->type).dimension < 2 || all_differ(corners));
-        if (!whole) found.resize(first);
-    }
-    if (whole) {
+        const std::size_t count = reader.node_count();
         const bool goes_on = !runs.empty() && runs.back().type == shape->type &&
-                             runs.back().material == row.material && runs.back().type_number == row.type;
-        if (!goes_on) {
-            runs.push_back({shape->type, row.type, row.material, at, 0, found.size() - row.nodes.size(), 0});
-        }
-        runs.back().node_count += row.nodes.size();
+                             runs.back().material == reader.material() &&
+                             runs.back().type_number == reader.type();
+        if (!goes_on)
+            runs.push_back({shape->type, reader.type(), reader.material(), at, 0, found.size() - count, 0});
+        runs.back().node_count += count;
         ++runs.back().count;
         return;
     }
+    const ElementRowIds& row = reader.row();
     runs.push_back({std::nullopt, row.type, row.material, at, 1, ids_of_nodes.size(), row.nodes.size()});
     ids_of_nodes.insert(ids_of_nodes.end(), row.nodes.begin(), row.nodes.end());
 }

@@ -67,7 +67,10 @@ struct ElementChunk {
     );
 
 private:
-    void add(const ElementRowIds& row, std::optional<RowShape> shape, const NodeLookup& nodes);
+    void add(ElementRowsReader& reader, const std::optional<RowShape>& shape, const NodeLookup& nodes);
+    /// Adds the nodes of an element that nothing has to be done for; else false, and nothing is added.
+    template <class Id>
+    bool find_nodes(std::span<const Id> listed, RowShape shape, const NodeLookup& nodes);
 };
 
 /// How many nodes elements of a type have at most: 0 when nothing names it, 1 when it is not drawn.

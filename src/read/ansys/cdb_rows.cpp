@@ -177,6 +177,7 @@ bool ElementRowsReader::next() {
         ++count_;
         return true;
     }
+    is_plain_ = false;
     while (lines_.at < lines_.stop) {
         const auto line = lines_.next();
         if (!line) return false;
@@ -234,22 +235,31 @@ bool ElementRowsReader::read_fast() {
         return (line_end_size_ == 1 || *at == '\r') && at[line_end_size_ - 1] == lines_.line_end;
     };
     // The number stands in the column before the nodes.
-    std::int64_t* const ids = columns_.data();
     const char* nodes = row + kSolidAttributes * width;
-    plain = plain && columns_of_integers(nodes - width, width, 1 + on_first, ids) &&
+    std::int64_t id = 0;
+    plain = plain && fast_integer(nodes - width, width, id) && id > 0 &&
+            columns_of_integers(nodes, width, on_first, columns_.data()) &&
             ends_line(nodes + on_first * width);
     const char* further = nodes + on_first * width + line_end_size_;
     if (second != 0) {
         const std::size_t count = node_count_ - on_first;
-        plain = plain && columns_of_integers(further, width, count, ids + 1 + on_first) &&
+        plain = plain && columns_of_integers(further, width, count, columns_.data() + on_first) &&
                 ends_line(further + second);
     }
-    if (!plain || ids[0] == 0) return false;
-    row_.id = ids[0];
-    row_.nodes = std::span(columns_).subspan(1, node_count_);
+    if (!plain) return false;
+    is_plain_ = true;
+    row_.id = id;
     row_.offset = lines_.at;
     lines_.at += size;
     return true;
+}
+
+const ElementRowIds& ElementRowsReader::row() {
+    if (is_plain_) {
+        std::copy_n(columns_.begin(), node_count_, nodes_.begin());
+        row_.nodes = std::span(nodes_).first(node_count_);
+    }
+    return row_;
 }
 
 /// Material, type, real constant, section, system, death, solid, shape, number of nodes, (unused), number.

@@ -97,7 +97,16 @@ public:
     ElementRowsReader(const Deck& deck, const ElementRows& block, RowRange range, NodesOfType nodes_of_type);
     bool next();
     std::size_t at() const { return lines_.at; }  ///< Where the next row begins.
-    const ElementRowIds& row() const { return row_; }
+    /// Its nodes, where it was read as columns: row() has them too then, but for a price.
+    std::span<const std::uint32_t> plain_nodes() const {
+        return is_plain_ ? std::span(columns_).first(node_count_) : std::span<const std::uint32_t>{};
+    }
+    std::int64_t id() const { return row_.id; }
+    std::int64_t type() const { return row_.type; }
+    std::int64_t material() const { return row_.material; }
+    std::size_t offset() const { return row_.offset; }
+    std::size_t node_count() const { return is_plain_ ? node_count_ : row_.nodes.size(); }
+    const ElementRowIds& row();
     const RowPlace& place() const { return place_; }
     bool cut() const { return cut_; }
     std::int64_t count() const { return count_; }
@@ -123,8 +132,9 @@ private:
     RowPlace place_;
     ElementRowIds row_;
     std::array<std::int64_t, kMostNodes> nodes_{};
-    std::array<std::int64_t, 1 + kMostNodes> columns_{};  ///< The number and the nodes of a row read at once.
-    std::size_t node_count_ = 0;  ///< Of the row; those beyond the array are not kept.
+    std::array<std::uint32_t, kMostNodes> columns_{};  ///< Nodes of a row that was read as columns.
+    bool is_plain_ = false;                            ///< This row was.
+    std::size_t node_count_ = 0;                       ///< Of the row; those beyond the array are not kept.
     std::int64_t count_ = 0;
     bool short_ = false;  ///< The row has fewer nodes than it says.
     bool cut_ = false;
