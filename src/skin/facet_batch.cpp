@@ -22,7 +22,8 @@ void hash_elements(ElementRun run, FacetHashes what, FacetBatch& out, std::size_
         const facet_hash::ElementKeys keys = facet_hash::keys_of(row, nodes);
         const auto one = [&](const FacetRow& facet) {
             const FacetHash hash = facet_hash::of(facet, nodes, keys);
-            out.hashes[at] = what == FacetHashes::Signed ? hash.value : hash.corners;
+            if (what != FacetHashes::Corners) out.hashes[at] = hash.value;
+            if (what != FacetHashes::Signed) out.corners[at] = hash.corners;
             out.lowest[at++] = hash.lowest;
         };
         [&]<std::size_t... kFacets>(std::index_sequence<kFacets...>) {
@@ -51,7 +52,8 @@ void hash_facets_portably(ElementRun run, FacetHashes what, FacetBatch& out, std
 }
 
 void hash_facets(ElementRun run, FacetHashes what, FacetBatch& out) {
-    if (!hash_facets_with_avx2(run, what, out)) hash_facets_portably(run, what, out);
+    if (!hash_facets_with_avx512(run, what, out) && !hash_facets_with_avx2(run, what, out))
+        hash_facets_portably(run, what, out);
 }
 
 }  // namespace feelem

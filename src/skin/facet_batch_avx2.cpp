@@ -3,14 +3,13 @@
 // hexahedron or two tetrahedra: their keys, and in one lane a facet its smallest corner and its sign. The
 // products are ordinary ones, since AVX2 has none of 64 bits. Facets on which a corner repeats are looked at
 // once more: triangles are left of most of them. Other elements than linear hexahedra go to the twin then.
+#include "skin/collapsed_facets.hpp"
 #include "skin/facet_batch.hpp"
 #include "skin/facet_hash.hpp"
 
 #if defined(__x86_64__)
 
 #include <immintrin.h>
-
-#include <bit>
 
 #define FEELEM_AVX2 __attribute__((target("avx2")))
 #define FEELEM_AVX2_INLINE __attribute__((target("avx2"), always_inline)) inline
@@ -118,36 +117,6 @@ FEELEM_AVX2_INLINE LaneFacets triangles(__m256i a, __m256i b, __m256i c) {
     return {_mm256_min_epu32(ab, c), odd, repeats};
 }
 
-/// The facets whose bits are set are quads with a corner twice: what is left of each when sides without a
-/// length go (outline_of), a triangle or nothing.
-template <FacetHashes kWhat>
-void hash_collapsed(
-    unsigned facets,
-    const ElementRow& row,
-    const NodeIndex* nodes,
-    const EightKeys& keys,
-    FacetBatch& out,
-    std::size_t first
-) {
-    for (; facets != 0; facets &= facets - 1) {
-        const auto f = static_cast<std::size_t>(std::countr_zero(facets));
-        const auto& at = row.facets[f].nodes;
-        std::array<std::uint32_t, 3> corners{};
-        std::array<std::uint64_t, 3> corner_keys{};
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (nodes[at[i]] == nodes[at[(i + 1) % 4]]) continue;
-            corners[count % 3] = raw(nodes[at[i]]);
-            corner_keys[count % 3] = keys[at[i]];
-            ++count;
-        }
-        // Four: opposite corners are one, and it is folded.
-        const FacetHash hash = count == 3 ? facet_hash::triangle(corners, corner_keys, 0) : FacetHash{};
-        out.hashes[first + f] = kWhat == FacetHashes::Signed ? hash.value : hash.corners;
-        out.lowest[first + f] = hash.lowest;
-    }
-}
-
 template <ElementType kType, FacetHashes kWhat>
 FEELEM_AVX2 void hash_hexes(ElementRun run, FacetBatch& out) {
     static constexpr const ElementRow& kRow = element_table::kTable[static_cast<std::size_t>(kType)];
@@ -176,7 +145,7 @@ FEELEM_AVX2 void hash_hexes(ElementRun run, FacetBatch& out) {
         store(&out.lowest[e * 6], facets.lowest);
         const EightKeys keys = stored_keys<false>(eight);
         EightKeys first{}, last{};  // Of middles 8 to 15, and 12 to 19.
-        if constexpr (kQuadratic && kWhat == FacetHashes::Signed) {
+        if constexpr (kQuadratic && kWhat != FacetHashes::Corners) {
             first = stored_keys<true>(load(nodes + 8));
             last = stored_keys<true>(load(nodes + 12));
         }
@@ -184,10 +153,8 @@ FEELEM_AVX2 void hash_hexes(ElementRun run, FacetBatch& out) {
         for (std::size_t f = 0; f < 6; ++f) {
             const auto& at = kRow.facets[f].nodes;
             const std::uint64_t ac = keys[at[0]] + keys[at[2]], bd = keys[at[1]] + keys[at[3]];
-            if constexpr (kWhat == FacetHashes::Corners) {
-                out.hashes[e * 6 + f] = ac + bd;
-                continue;
-            }
+            if constexpr (kWhat != FacetHashes::Signed) out.corners[e * 6 + f] = ac + bd;
+            if constexpr (kWhat == FacetHashes::Corners) continue;
             std::uint64_t middles = 0;
             if constexpr (kQuadratic) {
                 for (std::size_t i = 4; i < 8; ++i)
@@ -197,7 +164,9 @@ FEELEM_AVX2 void hash_hexes(ElementRun run, FacetBatch& out) {
         }
         if (repeats != 0) {
             out.may_repeat = true;
-            hash_collapsed<kWhat>(repeats & 0x3F, kRow, nodes, keys, out, e * 6);
+            hash_collapsed<kWhat>(
+                repeats & 0x3F, kRow, nodes, [&](std::size_t i) { return keys[i]; }, out, e * 6
+            );
         }
     }
 }
@@ -248,19 +217,20 @@ FEELEM_AVX2 void hash_tets(ElementRun run, FacetBatch& out) {
         const TetSums sums = tet_sums(eight);
         for (std::size_t tet = 0; tet < 2; ++tet) {
             EightKeys keys{};  // Of nodes 2 to 9: middles from lane 2 on.
-            if constexpr (kRow.order == 2 && kWhat == FacetHashes::Signed)
+            if constexpr (kRow.order == 2 && kWhat != FacetHashes::Corners)
                 keys = stored_keys<true>(load(nodes + tet * kWidth + 2));
 #pragma GCC unroll 4
             for (std::size_t f = 0; f < 4; ++f) {
                 const auto& at = kRow.facets[f].nodes;
                 std::uint64_t middles = 0;
-                if constexpr (kRow.order == 2 && kWhat == FacetHashes::Signed)
+                if constexpr (kRow.order == 2 && kWhat != FacetHashes::Corners)
                     middles = keys[at[3] - 2U] + keys[at[4] - 2U] + keys[at[5] - 2U];
                 const std::uint64_t sum = sums.of(tet, f);
-                out.hashes[(e + tet) * 4 + f] =
-                    kWhat == FacetHashes::Corners
-                        ? sum
-                        : with_sign(facet_hash::triangle_value(sum, middles, false), sign[tet * 4 + f]);
+                const std::size_t at_facet = (e + tet) * 4 + f;
+                if constexpr (kWhat != FacetHashes::Signed) out.corners[at_facet] = sum;
+                if constexpr (kWhat == FacetHashes::Corners) continue;
+                out.hashes[at_facet] =
+                    with_sign(facet_hash::triangle_value(sum, middles, false), sign[tet * 4 + f]);
             }
         }
     }
@@ -285,8 +255,12 @@ namespace feelem {
 
 bool hash_facets_with_avx2(ElementRun run, FacetHashes what, FacetBatch& out) {
     if (!__builtin_cpu_supports("avx2")) return false;
-    return what == FacetHashes::Signed ? avx2::choose<FacetHashes::Signed>(run, out)
-                                       : avx2::choose<FacetHashes::Corners>(run, out);
+    switch (what) {
+    case FacetHashes::Signed: return avx2::choose<FacetHashes::Signed>(run, out);
+    case FacetHashes::Corners: return avx2::choose<FacetHashes::Corners>(run, out);
+    case FacetHashes::Both: return avx2::choose<FacetHashes::Both>(run, out);
+    }
+    return false;
 }
 
 }  // namespace feelem

@@ -35,6 +35,13 @@ inline constexpr std::uint64_t kLast = 0x9E37'79B9'7F4A'7C15ULL;
     return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
 }
 
+/// The products of the lower and of the upper halves, joined: like fold(), but many at once are soon done.
+[[gnu::always_inline]] inline std::uint64_t fold_halves(std::uint64_t a, std::uint64_t b) noexcept {
+    const std::uint64_t lower = std::uint64_t{static_cast<std::uint32_t>(a)} * static_cast<std::uint32_t>(b);
+    const std::uint64_t upper = (a >> 32U) * (b >> 32U);
+    return lower ^ ((upper << 32U) | (upper >> 32U));
+}
+
 [[gnu::always_inline]] inline std::uint64_t pair(std::uint32_t low, std::uint32_t high) noexcept {
     return (std::uint64_t{high} << 32) | low;
 }
@@ -68,7 +75,8 @@ inline constexpr Mix kHighMix{0x7F4A'7C15, 0xDAA6'6D2B, 0x21F0'AAAD, 0xD35A'2D97
 [[gnu::always_inline]] inline std::uint64_t triangle_value(
     std::uint64_t sum, std::uint64_t middles, bool negative
 ) noexcept {
-    const std::uint64_t value = fold((sum + middles) ^ kTriangle, kLast);
+    const std::uint64_t all = sum + middles;
+    const std::uint64_t value = fold_halves(all, all ^ kTriangle);
     return negative ? 0 - value : value;
 }
 
@@ -77,7 +85,7 @@ inline constexpr Mix kHighMix{0x7F4A'7C15, 0xDAA6'6D2B, 0x21F0'AAAD, 0xD35A'2D97
 [[gnu::always_inline]] inline std::uint64_t quad_value(
     std::uint64_t ac, std::uint64_t bd, std::uint64_t middles, bool negative
 ) noexcept {
-    const std::uint64_t value = fold(ac + middles, bd + middles);
+    const std::uint64_t value = fold_halves(ac + middles, bd + middles);
     return negative ? 0 - value : value;
 }
 

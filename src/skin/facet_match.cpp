@@ -3,7 +3,7 @@
 // Algorithm: a table of the facets with their first owners; a second owner that has the same nodes the other
 // way round makes the facet an inner one, any other makes it special, and these are looked at one by one. A
 // facet stands in the line of memory of its smallest corner, since neighbours' facets are asked for together;
-// lines that are full spill into an ordinary hash table. Data: 64 bytes a smallest corner, 1 byte an element.
+// lines that are full spill into an ordinary hash table. Data: 64 bytes a smallest corner.
 #include "skin/facet_match.hpp"
 
 #include "base/huge_pages.hpp"
@@ -121,8 +121,8 @@ private:
 
 }  // namespace
 
-FacetTable::FacetTable(const Mesh& mesh, std::size_t buckets)
-    : mesh_(mesh), buckets_(buckets), spill_(64), outer_bits_(mesh.element_count()) {
+FacetTable::FacetTable(const Mesh& mesh, std::size_t buckets, std::span<std::uint8_t> outer_bits)
+    : mesh_(mesh), buckets_(buckets), spill_(64), outer_bits_(outer_bits) {
     std::size_t elements = 0;
     for (const ElementBlock& block : mesh.blocks) {
         blocks_.push_back(
@@ -179,10 +179,8 @@ bool FacetTable::meets(Slot& slot, const FacetCandidate& candidate) {
     const Meeting meeting = meeting_of(slot.first_owner(), candidate.ref);
     if (meeting == Meeting::OtherFacet) return false;
     const bool is_second = slot.state == State::Outer;
-    if (is_second) {
-        flip_bit(slot.first_owner());
-        --outer_;
-    }
+    if (is_second) set_bit(slot.first_owner(), false);
+    set_bit(candidate.ref, false);
     if (slot.state != State::Special) {
         slot.state = is_second && meeting == Meeting::Opposite ? State::Inner : State::Special;
         specials_ += slot.state == State::Special ? 1U : 0U;
@@ -200,8 +198,7 @@ void FacetTable::add(const FacetCandidate& candidate) {
             candidate.ref.facet,
             State::Outer};
         spilled_ += is_spill ? 1U : 0U;
-        flip_bit(candidate.ref);
-        ++outer_;
+        set_bit(candidate.ref, true);
         return true;
     });
     if (spilled_ * 2 >= spill_.size()) grow_spill();
@@ -233,8 +230,7 @@ void FacetTable::judge_specials(std::vector<SpecialOwner> owners, OuterFacets& f
         for (; end < owners.size() && owners[end].place == owners[i].place; ++end)
             here.push_back(owners[end].ref);
         if (judge(mesh_, here, found)) {
-            for (const FacetRef ref : here) flip_bit(ref);
-            outer_ += here.size();
+            for (const FacetRef ref : here) set_bit(ref, true);
         }
         i = end;
     }

@@ -23,15 +23,14 @@ struct FacetCandidate {
 /// Facets by their corners, with what is known of their owners. Add all owners of a facet, or none.
 class FacetTable {
 public:
-    FacetTable(const Mesh& mesh, std::size_t buckets);
+    /// `outer_bits`: per element of all blocks, bit i for facet i: what the table says of the facets that it
+    /// is given, whatever was there before.
+    FacetTable(const Mesh& mesh, std::size_t buckets, std::span<std::uint8_t> outer_bits);
 
     void add(const FacetCandidate& candidate);
-    std::uint64_t outer_count() const { return outer_; }
     std::uint64_t special_count() const { return specials_; }
     std::uint64_t probes() const { return probes_; }
 
-    /// Per element of all blocks, which facets are outer: bit i for facet i.
-    std::span<const std::uint8_t> outer_facets() const { return outer_bits_.span(); }
     /// Asks memory for what add() will need.
     void fetch(const FacetCandidate& candidate) const { __builtin_prefetch(&buckets_[candidate.bucket]); }
 
@@ -81,9 +80,10 @@ private:
         std::span<const FacetRow> facets;
     };
 
-    void flip_bit(FacetRef ref) {
-        outer_bits_[blocks_[ref.block].first_element + ref.position] ^=
-            static_cast<std::uint8_t>(1U << ref.facet);
+    void set_bit(FacetRef ref, bool is_outer) {
+        std::uint8_t& bits = outer_bits_[blocks_[ref.block].first_element + ref.position];
+        const unsigned bit = 1U << ref.facet;
+        bits = static_cast<std::uint8_t>((bits & ~bit) | (is_outer ? bit : 0U));
     }
     Meeting meeting_of(FacetRef a, FacetRef b) const;
     bool meets(Slot& slot, const FacetCandidate& candidate);
@@ -96,8 +96,8 @@ private:
     ZeroedArray<Bucket> buckets_;
     std::vector<Slot> spill_;
     std::size_t spilled_ = 0;
-    ZeroedArray<std::uint8_t> outer_bits_;  ///< Per element of all blocks.
-    std::uint64_t outer_ = 0, specials_ = 0, probes_ = 0;
+    std::span<std::uint8_t> outer_bits_;
+    std::uint64_t specials_ = 0, probes_ = 0;
 };
 
 /// Quads that two outer triangles with the same corners lie against. `may_repeat`: corners of elements may

@@ -51,18 +51,18 @@ double exponent(double small, double big, double small_size, double big_size) {
 TEST(Growth, of_facets_matched_and_places_compared_is_that_of_the_skin) {
     for (const bool is_shuffled : {false, true}) {
         std::vector<OuterFacets> found;
-        for (const int side : {10, 20, 40}) {
+        for (const int side : {32, 44, 64}) {
             const Mesh mesh = test::brick_grid(side, side, side);
             found.push_back(find_outer_facets(is_shuffled ? shuffled(mesh) : mesh, {}));
             const OuterFacets& last = found.back();
             ASSERT_EQ(last.outer.size(), 6U * static_cast<std::size_t>(side * side));
             EXPECT_LE(last.candidates, 6 * last.outer.size()) << side;
             EXPECT_LE(last.probes, 4 * last.candidates) << side;
-            EXPECT_GE(last.candidates, last.outer.size());
         }
         const auto size = [&](std::size_t i) { return static_cast<double>(found[i].outer.size()); };
         const auto work = [&](std::size_t i) {
-            return static_cast<double>(found[i].candidates + found[i].probes);
+            // A facet is looked at once, at least.
+            return static_cast<double>(found[i].outer.size() + found[i].candidates + found[i].probes);
         };
         EXPECT_LE(exponent(work(1), work(2), size(1), size(2)), 1.05)
             << (is_shuffled ? "shuffled" : "as built");
