@@ -48,6 +48,16 @@ public:
     void add_element(
         ElementId id, ElementType type, std::span<const NodeId> nodes, PartIndex part, const Where& where
     );
+    using WhereOf = std::function<std::string(std::size_t row)>;
+    /// Many elements of a type and a part: a row of its nodes after the other, each as add_element() wants
+    /// them. Several threads find the nodes; the mesh does not depend on how many.
+    void add_elements(
+        ElementType type,
+        PartIndex part,
+        std::span<const ElementId> ids,
+        std::span<const std::uint32_t> nodes,
+        const WhereOf& where
+    );
     /// Elements that nothing has to be done for: every node found by nodes(), no corner repeated, no mid-side
     /// node left out. A row after the other in `found`.
     void add_whole_elements(

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace feelem {
 namespace {
@@ -221,6 +223,70 @@ TEST(Collapse, repeated_corners_are_noticed_wherever_they_stand) {
             auto repeated = corners;
             repeated[i] = repeated[j];
             EXPECT_FALSE(all_differ(repeated)) << i << ' ' << j;
+        }
+    }
+}
+
+TEST(Collapse, corners_compared_at_once_are_the_same_as_one_by_one) {
+    std::mt19937 random(8);
+    for (int round = 0; round < 20'000; ++round) {
+        std::vector<NodeIndex> corners;
+        const std::size_t count = 3 + random() % 6;
+        for (std::size_t i = 0; i < count; ++i)
+            corners.push_back(NodeIndex{static_cast<std::uint32_t>(random() % 40)});
+        ASSERT_EQ(all_differ(corners), all_differ_portable(corners));
+    }
+}
+
+/// The mesh of rows of nodes, added one by one or all together, and what was said.
+std::string mesh_of_rows(ElementType type, const std::vector<std::uint32_t>& nodes, bool together) {
+    Diagnostics diagnostics;
+    MeshBuilder builder(diagnostics);
+    for (int id = 1; id <= 60; ++id) {
+        if (id % 9 != 0) builder.add_node(NodeId{id}, {1.0 * id, 0, 0});
+    }
+    builder.seal_nodes();
+    const std::size_t width = element_row(type).node_count;
+    std::vector<ElementId> ids;
+    for (std::size_t row = 0; row * width < nodes.size(); ++row)
+        ids.push_back(ElementId{static_cast<int>(row) + 1});
+    const auto where = [](std::size_t row) { return "row " + std::to_string(row); };
+    const PartIndex part = builder.part("one");
+    if (together) builder.add_elements(type, part, ids, nodes, where);
+    for (std::size_t row = 0; row < ids.size() && !together; ++row) {
+        std::vector<NodeId> given;
+        for (std::size_t i = 0; i < width; ++i) given.push_back(NodeId{nodes[row * width + i]});
+        builder.add_element(ids[row], type, given, part, [&] { return where(row); });
+    }
+    const Mesh mesh = builder.finish();
+    std::string text;
+    for (const ElementBlock& block : mesh.blocks) {
+        text += std::string(element_row(block.type).name) + ":";
+        for (const ElementId id : block.ids) text += ' ' + std::to_string(raw(id));
+        for (const NodeIndex node : block.nodes) text += ' ' + std::to_string(raw(node));
+    }
+    for (const Diagnostic& one : diagnostics.entries())
+        text += one.where + one.text + std::to_string(one.count);
+    return text;
+}
+
+TEST(MeshBuilder, rows_added_together_are_what_they_are_one_by_one) {
+    std::mt19937 random(9);
+    for (const ElementType type :
+         {ElementType::Hex8, ElementType::Tet10, ElementType::Quad4, ElementType::Line2}) {
+        const std::size_t width = element_row(type).node_count;
+        // Some rows repeat nodes, leave one out, or name one that is not there.
+        for (const std::uint32_t most : {8U, 60U}) {
+            std::vector<std::uint32_t> nodes;
+            for (std::size_t i = 0; i < 9000; ++i) {
+                for (std::size_t k = 0; k < width; ++k) {
+                    const auto usual = static_cast<std::uint32_t>(1 + (i + k) % 8);
+                    nodes.push_back(random() % 50 == 0 ? static_cast<std::uint32_t>(random() % most) : usual);
+                }
+            }
+            const std::string together = mesh_of_rows(type, nodes, true);
+            EXPECT_EQ(together, mesh_of_rows(type, nodes, false));
+            EXPECT_NE(together.find("row "), std::string::npos);
         }
     }
 }

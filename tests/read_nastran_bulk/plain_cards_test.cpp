@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cards read the fast way: each is refused, or is what BulkCard makes of it.
+#include "base/parallel.hpp"
+#include "read/nastran/bulk_card.hpp"
+#include "read/nastran/bulk_mesh.hpp"
 #include "read/nastran/nastran_elements.hpp"
 #include "read/nastran/plain_cards.hpp"
+#include "read/nastran/plain_elements.hpp"
+#include "read/nastran/plain_grids.hpp"
 #include "support/paths.hpp"
 
+#include "feelem/error.hpp"
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -153,34 +161,150 @@ TEST(PlainCards, with_anything_else_in_them_are_read_the_same_or_refused) {
     EXPECT_GT(read, 10'000U);
 }
 
-TEST(FreeCards, read_by_the_commas_of_the_card_before_are_the_same_or_refused) {
+/// What a card says by the general way is what was read.
+void expect_same_element(
+    std::string_view text, std::size_t at, const PlainElement& element, std::size_t next
+) {
+    const General general = general_way(text, at);
+    const auto field = [&](std::size_t i) {
+        return general.card.is_blank(i) ? std::optional(kBlankField) : general.card.integer(i);
+    };
+    EXPECT_EQ(next, general.next);
+    EXPECT_FALSE(general.card.marks_differ());
+    EXPECT_EQ(element.id, field(1));
+    EXPECT_EQ(element.property, field(element.card->property));
+    for (std::size_t i = 0; i < element.card->node_count(); ++i) {
+        const std::uint32_t node = i < element.count ? element.nodes[i] : 0;
+        const auto wanted = field(element.card->first_node + i);
+        EXPECT_EQ(node, wanted == kBlankField ? 0 : wanted) << "node " << i + 1;
+    }
+}
+
+TEST(PlainElements, read_after_each_other_are_what_the_general_way_reads_or_refused) {
     constexpr std::string_view kStrange = " \n\r,,+*$0123456789.-E";
+    const std::vector<std::string> kCards{
+        "CHEXA,1,1,1,2,102,101,10001,10002,+\n+,10102,10101\n",
+        "CHEXA,7,,1,2,102,101,10001,10002\r\n,10102,10101\r\n",
+        "CTETRA,123456789,4,1,2,3,4\n",
+        "CTETRA,12,4, 1,2 ,3,4,5,6,\n,7,8,9,10\n",
+        "CQUAD4,12,4,1,2,3,4,0.5\n",
+        "CHEXA          1       1       1       2     102     101   10001   10002+\n"
+        "+          10102   10101\n",
+        "CHEXA   1       7       1       2       102     101     10001   10002   +E1\n"
+        "+E1     10102   10101\n",
+        "CHEXA*         123456789               1               1               2*\n"
+        "*                    102             101           10001           10002*\n"
+        "*                  10102           10101\n",
+        "CTRIA3        12               1       2       3     0.5\r\n",
+        "CTETRA         1       1       1       2     102     101   10001   10002\n"
+        "           10102       0       7       8\n",
+    };
     std::mt19937 random(11);
     const auto below = [&](std::size_t n) { return random() % n; };
     std::size_t read = 0;
-    for (int round = 0; round < 20'000; ++round) {
-        const std::string first = below(2) == 0 ? "CHEXA,1,1,1,2,102,101,10001,10002,+\n+,10102,10101\n"
-                                                : "CHEXA,7,,1,2,102,101,10001,10002\r\n,10102,10101\r\n";
-        std::string second = first;
+    for (int round = 0; round < 30'000; ++round) {
+        const std::string& first = kCards[below(kCards.size())];
+        std::string second = below(4) == 0 ? kCards[below(kCards.size())] : first;
         for (std::size_t k = 0; k < below(4); ++k)
             second[6 + below(second.size() - 6)] = kStrange[below(kStrange.size())];
-        const std::string text = "CEND\nBEGIN BULK\n" + first + second + kRoom;
-        const std::size_t at = text.find("CHEXA");
-        FreeCards cards;
-        PlainFields fields;
-        if (!cards.read(text, at, 5, 22, fields)) continue;
-        if (!cards.read(text, at + first.size(), 5, 22, fields)) continue;
+        const std::string text =
+            "CEND\nBEGIN BULK $ so that there are bytes before\n" + first + second + kRoom;
+        SCOPED_TRACE(first + second);
+        PlainElements cards(text);
+        PlainElement element;
+        const std::size_t at = text.find(first);
+        const auto next = cards.read(at, element);
+        if (!next || *next >= text.size() - kRoom.size()) continue;
+        expect_same_element(text, at, element, *next);
+        const auto end = cards.read(*next, element);
+        if (!end) continue;
+        expect_same_element(text, *next, element, *end);
         ++read;
-        SCOPED_TRACE(second);
-        const General general = general_way(text, at + first.size());
-        for (std::size_t i = 0; i < 22; ++i) {
-            ASSERT_EQ(
-                fields.values[i], general.card.is_blank(i + 1) ? kBlankField : general.card.integer(i + 1)
-            ) << "field "
-              << i + 1;
+        if (HasFailure()) return;
+    }
+    EXPECT_GT(read, 12'000U);
+}
+
+/// Everything that a deck's mesh says, and what was said about it.
+std::string written_out(const std::string& deck, unsigned threads) {
+    set_thread_count(threads);
+    Diagnostics diagnostics;
+    std::string text;
+    try {
+        const BulkModel model = read_bulk({Input::from_memory("deck.bdf", deck)}, nullptr, diagnostics);
+        text = fmt::format("{} cards, {} grids\n", model.cards, model.grids);
+        for (std::size_t i = 0; i < model.mesh.node_count(); ++i) {
+            text += fmt::format("{}", raw(model.mesh.node_ids[i]));
+            for (const double x : model.mesh.coordinates[i])
+                text += fmt::format(" {:x}", std::bit_cast<std::uint64_t>(x));
+            text += '\n';
+        }
+        for (const ElementBlock& block : model.mesh.blocks) {
+            text += fmt::format("{}:", element_row(block.type).name);
+            for (const ElementId id : block.ids) text += fmt::format(" {}", raw(id));
+            for (const PartIndex part : block.parts)
+                text += fmt::format(" {}", model.mesh.parts[raw(part)].name);
+            for (const NodeIndex node : block.nodes) text += fmt::format(" {}", raw(node));
+            text += '\n';
+        }
+    } catch (const Error& error) {
+        text = error.what();
+    }
+    for (const Diagnostic& one : diagnostics.entries())
+        text += fmt::format("{} {} {} {}\n", code_info(one.code).word, one.where, one.text, one.count);
+    set_thread_count(0);
+    return text;
+}
+
+/// Some megabytes of cards; now and then something stands among them that is not plain.
+std::string large_deck(bool odd) {
+    const auto grid = [](int id) {
+        return fmt::format("GRID,{},,{}.25,{}.5,-{}.125\n", id, id, id % 7, id % 11);
+    };
+    std::string deck;
+    for (int id = 1; id <= 90'000; ++id) {
+        if (odd && id % 9001 == 0) deck += fmt::format("$ a comment at {}\n", id);
+        if (odd && id % 11'003 == 0) {
+            deck += fmt::format("GRID    {:<8}        {:<8}1.5-3   2.\n", id, "1.+1");
+        } else {
+            deck += grid(id);
         }
     }
-    EXPECT_GT(read, 8'000U);
+    for (int id = 1; id <= 60'000; ++id) {
+        if (odd && id % 7001 == 0) deck += fmt::format("cquad4\t{}\t3\t1\t2\t3\t{}\n", 100'000 + id, id);
+        if (odd && id % 13'007 == 0)
+            deck += fmt::format("CHEXA,{},3,1,2,3,4,5,6,$\n,7,{}\n", id, id);
+        else if (odd && id % 5003 == 0)
+            deck += fmt::format("CHEXA,{},3,1,2,3,4,5,6,\n,7,9{}\n", id, id);
+        else
+            deck +=
+                fmt::format("CHEXA,{0},{1},1,2,3,4,5,6,+\n+,{2},{3}\n", id, 1 + id / 20'000, 10 + id, 9 + id);
+    }
+    return deck + "PSOLID,1,1\nENDDATA\n" + grid(95'000);
+}
+
+TEST(BulkData, is_the_same_whatever_the_number_of_threads) {
+    for (const bool odd : {false, true}) {
+        const std::string deck = large_deck(odd);
+        ASSERT_GT(deck.size(), 5'000'000U);
+        const std::string one = written_out(deck, 1);
+        EXPECT_EQ(one.find("unknown_node deck.bdf:") != std::string::npos, odd)
+            << one.substr(one.size() - 300);
+        EXPECT_EQ(one, written_out(deck, 4));
+        EXPECT_NE(one.find("90000 grids"), std::string::npos) << one.substr(0, 100);
+    }
+}
+
+TEST(BulkData, with_a_tab_before_every_comment_is_the_same_as_plain) {
+    // A comment behind a card's last field sends the card the general way and says nothing.
+    const std::string plain = large_deck(false);
+    std::string odd;
+    odd.reserve(plain.size() * 5 / 4);
+    for (const char c : plain) {
+        if (c == '\n' && !odd.ends_with('+')) odd += "\t$";
+        odd += c;
+    }
+    EXPECT_EQ(written_out(plain, 1), written_out(odd, 1));
 }
 
 TEST(PlainCards, near_the_end_of_the_text_are_refused) {

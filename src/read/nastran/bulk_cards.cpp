@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/nastran/bulk_cards.hpp"
 
-#include "base/huge_pages.hpp"
 #include "read/nastran/bulk_card.hpp"
 #include "read/nastran/nastran_elements.hpp"
-#include "read/nastran/plain_cards.hpp"
+#include "read/nastran/plain_chunk.hpp"
+#include "read/text_chunks.hpp"
 
 #include "feelem/error.hpp"
 
@@ -42,13 +42,10 @@ public:
 
     BulkCards collect() {
         CardHead head;
-        while (take_plain_cards(), deck_.next(head)) {
-            for (const std::string_view comment : deck_.take_names()) out_.names.add_comment(comment);
-            read_card(head);
-        }
-        for (std::size_t i = 0; i < element_counts_.size(); ++i) {
-            if (element_counts_[i] > 0)
-                out_.element_cards[std::string(nastran::element_cards()[i].name)] += element_counts_[i];
+        while (take_plain_cards(), deck_.next(head)) read_any(head);
+        for (std::size_t i = 0; i < out_.elements.runs.size(); ++i) {
+            const BulkElements::Run& run = out_.elements.runs[i];
+            out_.element_cards[std::string(run.card->name)] += out_.elements.end_of(i) - run.first;
         }
         return std::move(out_);
     }
@@ -58,55 +55,64 @@ private:
     void take_plain_cards() {
         const auto ahead = deck_.ahead();
         if (!ahead) return;
-        std::size_t at = ahead->offset;
-        std::uint64_t count = 0;
-        while (at < ahead->text.size()) {
-            const char letter = ahead->text[at];
-            const auto next = letter == 'G'   ? take_plain_grid(ahead->text, at)
-                              : letter == 'C' ? take_plain_element(ahead->text, at)
-                                              : std::nullopt;
-            if (!next) break;
-            at = *next;
-            ++count;
+        // Threads for those alone of which there are many.
+        const std::size_t size = ahead->text.size();
+        const std::size_t some = ahead->offset + std::min(kTextChunk, size - ahead->offset);
+        std::size_t at = take_plain_cards(ahead->text, ahead->offset, some);
+        if (at >= some && is_worth_chunks(size - at)) {
+            read_in_text_chunks<PlainCards>(at, size, ChunkRows{this, ahead->text, deck_.file()});
+        } else if (at >= some) {
+            take_plain_cards(ahead->text, at, size);
         }
-        deck_.go_on_at(at, count);
     }
 
-    std::optional<std::size_t> take_plain_grid(std::string_view text, std::size_t at) {
-        BulkGrid grid;
-        const auto next = read_plain_grid(text, at, grid);
-        if (next) {
-            grow_by_text(out_.grids, text.size() - *next, *next - at);
-            out_.grids.push_back(grid);
+    /// Those that begin in [from, stop); where the deck goes on.
+    std::size_t take_plain_cards(std::string_view text, std::size_t from, std::size_t stop) {
+        const PlainCards::Read read =
+            PlainCards::read(text, deck_.file(), from, stop, out_.grids, out_.elements);
+        deck_.go_on_at(read.end, read.cards);
+        return read.end;
+    }
+
+    /// How read_in_text_chunks() reads cards.
+    struct ChunkRows {
+        CardCollector* self;
+        std::string_view text;
+        std::uint32_t file;
+
+        std::size_t start(std::size_t at) const { return PlainCards::start_of_card(text, at); }
+        std::size_t read(PlainCards& chunk, std::size_t from, std::size_t stop) const {
+            return chunk.read(text, file, from, stop);
         }
-        return next;
+        void take(const PlainCards& chunk) const {
+            self->out_.grids.add(chunk.grids);
+            self->out_.elements.add(chunk.elements);
+            self->deck_.go_on_at(chunk.end, chunk.cards);
+        }
+        std::optional<std::size_t> go_on(std::size_t, std::size_t stop) const {
+            return self->go_on(text, stop);
+        }
+    };
+
+    /// Cards of any kind up to `stop`; empty when the deck goes on elsewhere or ends.
+    std::optional<std::size_t> go_on(std::string_view text, std::size_t stop) {
+        for (CardHead head; deck_.next(head);) {
+            read_any(head);
+            const auto ahead = deck_.ahead();
+            if (!ahead || ahead->text.data() != text.data()) return {};
+            const std::size_t at = take_plain_cards(text, ahead->offset, stop);
+            if (at >= stop) return at;
+        }
+        return {};
     }
 
-    std::optional<std::size_t> take_plain_element(std::string_view text, std::size_t at) {
-        const std::size_t length = text.substr(at, 9).find_first_of(" ,*\t\r\n");
-        if (length == std::string_view::npos) return {};
-        const ElementCard* card = element_card(text.substr(at, length));
-        if (card == nullptr || card->name == "PLOTEL") return {};
-        const auto head = look_over_plain_card(text, at, length);
-        if (!head || head->id <= 0) return {};
-        grow_by_text(out_.elements, text.size() - head->next, head->next - at);
-        add_element(*card, head->id, at, text[at + length] == '*', 0);
-        return head->next;
+    void read_any(const CardHead& head) {
+        for (const std::string_view comment : deck_.take_names()) out_.names.add_comment(comment);
+        read_card(head);
     }
 
-    void add_element(
-        const ElementCard& card, std::int64_t id, std::size_t offset, bool large, std::uint8_t shift
-    ) {
-        const auto index = static_cast<std::size_t>(&card - nastran::element_cards().data());
-        BulkElement place;
-        place.id = id;
-        place.offset = offset;
-        place.file = deck_.file();
-        place.card = static_cast<std::uint16_t>(index);
-        place.large = large;
-        place.shift = shift;
-        out_.elements.push_back(place);
-        ++element_counts_[index];
+    void add_element(const ElementCard& card, std::int64_t id, const CardHead& head, std::uint8_t shift) {
+        out_.elements.add(UnreadElement{&card, id, head.large, shift}, deck_.file(), head.offset);
     }
 
     std::string here() const { return deck_.where(deck_.file(), card_offset_); }
@@ -218,11 +224,12 @@ private:
     }
 
     void read_grid() {
-        BulkGrid& grid = out_.grids.emplace_back();
+        BulkGrid grid;
         grid.id = id("GRID", 1);
         grid.place_system = integer("GRID", 2, kBlankField);
         for (std::size_t i = 0; i < 3; ++i) grid.place[i] = real("GRID", 3 + i);
         grid.value_system = integer("GRID", 6, kBlankField);
+        out_.grids.add(grid);
     }
 
     void read_scalar_points(std::string_view name) {
@@ -302,9 +309,9 @@ private:
     }
 
     void note_element(const CardHead& head, const ElementCard& card) {
-        add_element(card, id(card.name, 1), head.offset, head.large, 0);
+        add_element(card, id(card.name, 1), head, 0);
         if (card.name != "PLOTEL" || card_.is_blank(1 + kSecondPlotel)) return;
-        add_element(card, id(card.name, 1 + kSecondPlotel), head.offset, head.large, kSecondPlotel);
+        add_element(card, id(card.name, 1 + kSecondPlotel), head, kSecondPlotel);
     }
 
     BulkDeck& deck_;
@@ -312,8 +319,6 @@ private:
     BulkCard card_;
     std::uint64_t card_offset_ = 0;
     const ElementCard* last_card_ = nullptr;
-    std::vector<std::uint64_t> element_counts_ =
-        std::vector<std::uint64_t>(nastran::element_cards().size());  ///< By card.
     BulkCards out_;
 };
 

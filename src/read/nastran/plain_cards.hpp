@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Must: read the GRID and element cards that pre-processors write, fast, or refuse them.
+// Must: read the element cards that pre-processors write, or refuse them.
 // Assumes: nothing; what is refused the caller reads with BulkCard, which knows every form.
 // Algorithm: fields of 8 or 16 columns lie in a register each, free fields are taken digit by digit; a card
 // ends where the next line starts with a letter. Comments, tabs, names in small letters, mixed forms and
@@ -7,7 +7,7 @@
 // Data: none.
 #pragma once
 
-#include "read/nastran/bulk_cards.hpp"
+#include "read/nastran/bulk_rows.hpp"
 
 #include <array>
 #include <cstddef>
@@ -16,9 +16,6 @@
 #include <string_view>
 
 namespace feelem::nastran {
-
-/// The GRID card at `at`. Gives where the next card starts.
-std::optional<std::size_t> read_plain_grid(std::string_view text, std::size_t at, BulkGrid& grid);
 
 /// Looks over the card at `at`, whose name has `name_length` characters: its first field, a whole number, and
 /// where the next card starts.
@@ -38,31 +35,5 @@ struct PlainFields {
 bool read_plain_fields(
     std::string_view text, std::size_t at, std::size_t name_length, std::size_t wanted, PlainFields& fields
 );
-
-/// The same for card after card: one whose commas stand where those of the one before do is read without
-/// waiting for the end of each field.
-class FreeCards {
-public:
-    bool read(
-        std::string_view text,
-        std::size_t at,
-        std::size_t name_length,
-        std::size_t wanted,
-        PlainFields& fields
-    );
-
-private:
-    bool read_like(std::string_view text, std::size_t at, std::size_t wanted, PlainFields& fields) const;
-    void remember(std::string_view text, std::size_t at, std::size_t name_length, std::size_t wanted);
-
-    struct Field {
-        std::uint16_t first = 0, last = 0;
-    };
-    std::string_view card_;  ///< The one before, up to the start of the next; empty: none to go by.
-    std::size_t wanted_ = 0;
-    std::size_t count_ = 0;  ///< Of its fields that are numbers.
-    std::array<Field, PlainFields::kMost> fields_{};
-    std::array<std::uint8_t, PlainFields::kMost> index_{};  ///< Which of the wanted ones they are.
-};
 
 }  // namespace feelem::nastran
