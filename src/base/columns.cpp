@@ -23,16 +23,16 @@ std::uint64_t foreign_before(const char* column, std::size_t width) {
 
 #if defined(__x86_64__)
 
-FEELEM_AVX2 inline void store_four(__m128i values, std::int64_t* out) {
+FEELEM_AVX2 inline void put_four(__m128i values, std::int64_t* out) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_cvtepu32_epi64(values));
 }
-FEELEM_AVX2 inline void store_four(__m128i values, std::uint32_t* out) {
+FEELEM_AVX2 inline void put_four(__m128i values, std::uint32_t* out) {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(out), values);
 }
 
 /// Bytes that may not stand so are gathered in `bad`.
-template <class Integer>
-FEELEM_AVX2 inline void four_columns(const char* last_eight, std::size_t width, Integer* out, __m256i& bad) {
+template <class Whole>
+FEELEM_AVX2 inline void four_columns(const char* last_eight, std::size_t width, Whole* out, __m256i& bad) {
     const __m256i text = _mm256_set_epi64x(
         static_cast<long long>(load8(last_eight + 3 * width)),
         static_cast<long long>(load8(last_eight + 2 * width)),
@@ -52,11 +52,11 @@ FEELEM_AVX2 inline void four_columns(const char* last_eight, std::size_t width, 
     const __m256i two = _mm256_maddubs_epi16(_mm256_andnot_si256(blank, digit), _mm256_set1_epi16(0x010A));
     const __m256i four = _mm256_madd_epi16(two, _mm256_set1_epi32(0x00010064));
     const __m256i eight = _mm256_madd_epi16(_mm256_packus_epi32(four, four), _mm256_set1_epi32(0x00012710));
-    store_four(_mm256_castsi256_si128(_mm256_permute4x64_epi64(eight, 0x08)), out);
+    put_four(_mm256_castsi256_si128(_mm256_permute4x64_epi64(eight, 0x08)), out);
 }
 
-template <class Integer>
-FEELEM_AVX2 bool columns_by_fours(const char* at, std::size_t width, std::size_t count, Integer* out) {
+template <class Whole>
+FEELEM_AVX2 bool columns_by_fours(const char* at, std::size_t width, std::size_t count, Whole* out) {
     __m256i bad = _mm256_setzero_si256();
     const char* last_eight = at + width - 8;
     std::size_t i = 0;
@@ -74,14 +74,22 @@ FEELEM_AVX2 bool columns_by_fours(const char* at, std::size_t width, std::size_t
 
 #endif
 
-template <class Integer>
-bool columns_one_by_one(const char* at, std::size_t width, std::size_t count, Integer* out) {
+template <class Whole>
+bool columns_one_by_one(const char* at, std::size_t width, std::size_t count, Whole* out) {
     std::uint64_t bad = 0;
     for (std::size_t i = 0; i < count; ++i, at += width) {
         bad |= foreign_before(at, width);
         out[i] = eight_columns(load8(at + width - 8), bad);
     }
     return bad == 0;
+}
+
+template <class Whole>
+bool columns_of_whole(const char* at, std::size_t width, std::size_t count, Whole* out) {
+#if defined(__x86_64__)
+    if (count >= 4 && has_fast_columns()) return columns_by_fours(at, width, count, out);
+#endif
+    return columns_one_by_one(at, width, count, out);
 }
 
 }  // namespace
@@ -94,44 +102,25 @@ bool columns_of_integers_portable(const char* at, std::size_t width, std::size_t
     return columns_one_by_one(at, width, count, out);
 }
 
-#if defined(__x86_64__)
+bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::int64_t* out) {
+    return columns_of_whole(at, width, count, out);
+}
+
+bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::uint32_t* out) {
+    if (!has_wide_columns() || width > kWidestColumn) return columns_of_whole(at, width, count, out);
+    bool good = true;
+    for (std::size_t i = 0; i < count && good; i += kWideColumns)
+        good = wide_columns_of_integers(at + i * width, width, std::min(kWideColumns, count - i), out + i);
+    return good;
+}
 
 bool has_fast_columns() {
+#if defined(__x86_64__)
     static const bool has = __builtin_cpu_supports("avx2") != 0;
     return has;
-}
-
-bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::int64_t* out) {
-    return count >= 4 && has_fast_columns() ? columns_by_fours(at, width, count, out)
-                                            : columns_one_by_one(at, width, count, out);
-}
-
-bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::uint32_t* out) {
-    if (has_wide_columns() && width <= kWidestColumn) {
-        bool good = true;
-        for (std::size_t i = 0; i < count && good; i += kWideColumns)
-            good =
-                wide_columns_of_integers(at + i * width, width, std::min(kWideColumns, count - i), out + i);
-        return good;
-    }
-    return count >= 4 && has_fast_columns() ? columns_by_fours(at, width, count, out)
-                                            : columns_one_by_one(at, width, count, out);
-}
-
 #else
-
-bool has_fast_columns() {
     return false;
-}
-
-bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::int64_t* out) {
-    return columns_one_by_one(at, width, count, out);
-}
-
-bool columns_of_integers(const char* at, std::size_t width, std::size_t count, std::uint32_t* out) {
-    return columns_one_by_one(at, width, count, out);
-}
-
 #endif
+}
 
 }  // namespace feelem

@@ -121,6 +121,21 @@ FacetCorners collapsed_corners(const FacetRow& facet, std::span<const NodeIndex>
     return out;
 }
 
+bool all_differ_in_rows(std::span<const NodeIndex> rows, std::size_t width, std::size_t corners) {
+    if (corners != 8 && corners != 4) {
+        bool differ = true;
+        for (std::size_t at = 0; at < rows.size(); at += width)
+            differ &= all_differ(rows.subspan(at, corners));
+        return differ;
+    }
+    FourRepeats repeats{};
+    for (const NodeIndex *at = rows.data(), *const end = at + rows.size(); at != end; at += width) {
+        repeats |= corners == 8 ? repeats_of_eight(four_corners(at), four_corners(at + 4))
+                                : repeats_of_four(four_corners(at));
+    }
+    return has_none(repeats);
+}
+
 std::optional<CollapsedElement> collapse(ElementType type, std::span<const NodeIndex> nodes) {
     const ElementRow& row = element_row(type);
     if (row.dimension < 2 || all_differ(nodes.first(row.corner_count))) return std::nullopt;

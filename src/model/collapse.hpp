@@ -7,12 +7,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
 
 namespace feelem {
 
@@ -21,8 +19,37 @@ struct CollapsedElement {
     std::array<NodeIndex, kMaxElementNodes> nodes{};
 };
 
-/// Whether no two corners are one, on any processor.
-inline bool all_differ_portable(std::span<const NodeIndex> corners) {
+/// Four corners in one register, and a lane of ones for each that is another one too.
+using FourCorners __attribute__((vector_size(16))) = std::uint32_t;
+using FourRepeats __attribute__((vector_size(16))) = std::int32_t;
+
+inline FourCorners four_corners(const NodeIndex* at) {
+    FourCorners corners;
+    std::memcpy(&corners, at, sizeof corners);
+    return corners;
+}
+
+inline FourRepeats repeats_of_four(FourCorners a) {
+    return (a == __builtin_shufflevector(a, a, 1, 2, 3, 0)) |
+           (a == __builtin_shufflevector(a, a, 2, 3, 0, 1));
+}
+
+inline FourRepeats repeats_of_eight(FourCorners a, FourCorners b) {
+    const FourRepeats across = (a == b) | (a == __builtin_shufflevector(b, b, 1, 2, 3, 0)) |
+                               (a == __builtin_shufflevector(b, b, 2, 3, 0, 1)) |
+                               (a == __builtin_shufflevector(b, b, 3, 0, 1, 2));
+    return across | repeats_of_four(a) | repeats_of_four(b);
+}
+
+inline bool has_none(FourRepeats repeats) {
+    return (repeats[0] | repeats[1] | repeats[2] | repeats[3]) == 0;
+}
+
+/// Whether no two corners are one.
+inline bool all_differ(std::span<const NodeIndex> corners) {
+    if (corners.size() == 8)
+        return has_none(repeats_of_eight(four_corners(&corners[0]), four_corners(&corners[4])));
+    if (corners.size() == 4) return has_none(repeats_of_four(four_corners(&corners[0])));
     unsigned equal = 0;  // Counted: a branch each would cost more.
     for (std::size_t i = 0; i < corners.size(); ++i) {
         for (std::size_t j = i + 1; j < corners.size(); ++j) equal += corners[i] == corners[j];
@@ -30,42 +57,8 @@ inline bool all_differ_portable(std::span<const NodeIndex> corners) {
     return equal == 0;
 }
 
-#if defined(__SSE2__)
-
-/// Of four: each is compared with the next and the one after it.
-inline __m128i equal_within(__m128i four) {
-    return _mm_or_si128(
-        _mm_cmpeq_epi32(four, _mm_shuffle_epi32(four, 0x39)),
-        _mm_cmpeq_epi32(four, _mm_shuffle_epi32(four, 0x4E))
-    );
-}
-
-/// The same as all_differ_portable(): those of a tetrahedron, a quadrilateral or a brick all at once.
-inline bool all_differ(std::span<const NodeIndex> corners) {
-    if (corners.size() != 4 && corners.size() != 8) return all_differ_portable(corners);
-    const auto load = [&](std::size_t i) {
-        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(corners.data() + i));
-    };
-    const __m128i low = load(0);
-    __m128i equal = equal_within(low);
-    if (corners.size() == 8) {
-        const __m128i high = load(4);
-        equal = _mm_or_si128(equal, equal_within(high));
-        equal = _mm_or_si128(equal, _mm_cmpeq_epi32(low, high));
-        equal = _mm_or_si128(equal, _mm_cmpeq_epi32(low, _mm_shuffle_epi32(high, 0x39)));
-        equal = _mm_or_si128(equal, _mm_cmpeq_epi32(low, _mm_shuffle_epi32(high, 0x4E)));
-        equal = _mm_or_si128(equal, _mm_cmpeq_epi32(low, _mm_shuffle_epi32(high, 0x93)));
-    }
-    return _mm_movemask_epi8(equal) == 0;
-}
-
-#else
-
-inline bool all_differ(std::span<const NodeIndex> corners) {
-    return all_differ_portable(corners);
-}
-
-#endif
+/// The same for the first `corners` of each row of `width` nodes.
+bool all_differ_in_rows(std::span<const NodeIndex> rows, std::size_t width, std::size_t corners);
 
 /// The simpler standard element behind a row with repeated corners, or nothing when it has no repeats or is
 /// no standard shape (then it stays as it is, and its facets are collapsed one by one in the skin). Mid-side

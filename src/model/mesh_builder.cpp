@@ -223,6 +223,26 @@ void MeshBuilder::add_whole_elements(
     block.nodes.insert(block.nodes.end(), found.begin(), found.end());
 }
 
+void MeshBuilder::add_whole_elements(
+    ElementType type,
+    std::vector<PartIndex>&& parts,
+    std::vector<ElementId>&& ids,
+    std::vector<NodeIndex>&& found
+) {
+    assert(lookup_ && "seal_nodes() first");
+    assert(found.size() == ids.size() * element_row(type).node_count && parts.size() == ids.size());
+    int& index = block_by_type_[static_cast<std::size_t>(type)];
+    if (index < 0) {
+        index = static_cast<int>(mesh_.blocks.size());
+        mesh_.blocks.push_back({type, std::move(ids), std::move(parts), std::move(found)});
+        return;
+    }
+    ElementBlock& block = mesh_.blocks[static_cast<std::size_t>(index)];
+    block.ids.insert(block.ids.end(), ids.begin(), ids.end());
+    block.parts.insert(block.parts.end(), parts.begin(), parts.end());
+    block.nodes.insert(block.nodes.end(), found.begin(), found.end());
+}
+
 void MeshBuilder::skip_element(std::string_view type_name, std::uint64_t count) {
     mesh_.skipped_elements[std::string(type_name)] += count;
 }

@@ -63,6 +63,13 @@ public:
     void add_whole_elements(
         ElementType type, PartIndex part, std::span<const ElementId> ids, std::span<const NodeIndex> found
     );
+    /// The same, as they are where they are the first of their type; `parts`: one an element.
+    void add_whole_elements(
+        ElementType type,
+        std::vector<PartIndex>&& parts,
+        std::vector<ElementId>&& ids,
+        std::vector<NodeIndex>&& found
+    );
     /// The nodes, when they are sealed.
     const NodeLookup& nodes() const { return *lookup_; }
     /// An element that has no surface of its own: counted by the solver's name of its type.

@@ -32,13 +32,16 @@ bool NodeLookup::find(std::span<const std::uint32_t> ids, NodeIndex* out) const 
     return find_all(ids, out);
 }
 
+bool NodeLookup::find(std::span<const NodeIndex> ids, NodeIndex* out) const noexcept {
+    return find_all(ids, out);
+}
+
 template <class Id>
 bool NodeLookup::find_all(std::span<const Id> ids, NodeIndex* out) const noexcept {
     bool missing = false;
-    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
-    if (consecutive_ && sizeof(Id) == 4 && first_ >= 0 &&
-        raw(ids_.back()) <= static_cast<std::int64_t>(kMost)) {
-        // Numbers below the first wrap round to beyond the last: ids end where 32 bits do.
+    constexpr std::int64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    if (consecutive_ && sizeof(Id) == sizeof(std::uint32_t) && first_ >= 0 && raw(ids_.back()) <= kMost) {
+        // Ids below the first become larger than any index.
         const auto first = static_cast<std::uint32_t>(first_);
         const auto last = static_cast<std::uint32_t>(ids_.size() - 1);
         for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -58,7 +61,7 @@ bool NodeLookup::find_all(std::span<const Id> ids, NodeIndex* out) const noexcep
         return !missing;
     }
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        out[i] = (*this)(NodeId{ids[i]});
+        out[i] = (*this)(NodeId{static_cast<std::int64_t>(ids[i])});
         missing |= out[i] == kNoNode;
     }
     return !missing;

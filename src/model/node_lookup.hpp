@@ -26,6 +26,10 @@ public:
     /// each.
     bool find(std::span<const std::int64_t> ids, NodeIndex* out) const noexcept;
     bool find(std::span<const std::uint32_t> ids, NodeIndex* out) const noexcept;
+    /// Of ids in memory that will hold indices.
+    bool find(std::span<const NodeIndex> ids, NodeIndex* out) const noexcept;
+    /// The id behind an index that was found.
+    NodeId id(NodeIndex index) const noexcept { return ids_[raw(index)]; }
 
 private:
     template <class Id>

@@ -60,6 +60,11 @@ TEST(Columns, of_integers_are_the_same_at_once_and_one_by_one) {
         ASSERT_TRUE(std::ranges::equal(all, short_all)) << text;
         ASSERT_EQ(short_all, short_each) << text;
         ASSERT_TRUE(damaged || all == wanted) << text;
+        std::vector<std::uint32_t> small(count, 0), small_each(count, 0);
+        ASSERT_TRUE(columns_of_integers(exact.bytes.get(), width, count, small.data())) << text;
+        ASSERT_TRUE(columns_of_integers_portable(exact.bytes.get(), width, count, small_each.data())) << text;
+        ASSERT_EQ(small, small_each) << text;
+        ASSERT_TRUE(std::ranges::equal(small, all)) << text;
     }
     EXPECT_GT(good, 30'000);
     EXPECT_GT(bad, 10'000);

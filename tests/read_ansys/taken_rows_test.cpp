@@ -40,7 +40,10 @@ struct Form {
     std::string line_end = "\n";
     int page = 20;  ///< Lines, so that heads stand between those of an element too.
     unsigned seed = 0;
-    int gap = 6;  ///< Before the first node.
+    int gap = 6;          ///< Before the first node.
+    int of_a_type = 200;  ///< Elements.
+    int only_odd = 0;     ///< The one element that may be odd; 0: many are.
+    unsigned odd = 0;     ///< What is odd about it.
 };
 
 /// One is left out, one is unknown, one is there twice, one fills its column, and one is long.
@@ -64,10 +67,11 @@ std::string element_list(const Form& form) {
         if (lines++ % form.page == 0) text += "\n    ELEM MAT TYP REL ESY SEC        NODES\n\n";
     };
     for (int id = 1; id <= 600; ++id) {
-        const int type = 1 + (id - 1) / 200;
+        const int type = 1 + (id - 1) / form.of_a_type;
         const int count = type == 1 ? 8 : type == 2 ? 20 : 10;
         begin_line();
-        const auto odd = static_cast<unsigned>(random() % 60);
+        const auto any = static_cast<unsigned>(random() % 60);
+        const unsigned odd = form.only_odd == 0 ? any : form.only_odd == id ? form.odd : 59;
         text += fmt::format(
             "{:{}}{:4}{:4}{:4}{:4}{:4}{:{}}",
             odd == 1 ? id - 1 : id,
@@ -144,6 +148,20 @@ TEST(TakenRows, elements_are_those_of_the_general_way_whatever_their_columns) {
                 SCOPED_TRACE(fmt::format("ids of {}, nodes of {}", id_width, node_width));
                 const std::string text = element_list(form);
                 expect_same_mesh(text, with_tabs(text, id_width));
+            }
+        }
+    }
+}
+
+TEST(TakenRows, elements_of_one_type_become_the_mesh_as_they_stand_unless_one_is_odd) {
+    for (unsigned odd = 0; odd <= 8; ++odd) {
+        for (const int at : {2, 300, 599, 600}) {
+            SCOPED_TRACE(fmt::format("odd in way {} at {}", odd, at));
+            const std::string text = element_list({8, 8, "\n", 20, 1, 6, 600, at, odd});
+            expect_same_mesh(text, with_tabs(text, 8));
+            for (const int of_a_type : {150, 600}) {
+                const std::string others = text + element_list({8, 8, "\n", 20, 2, 6, of_a_type, 1, 9});
+                expect_same_mesh(others, with_tabs(others, 8));
             }
         }
     }

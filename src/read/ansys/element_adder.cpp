@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/ansys/element_adder.hpp"
 
+#include "base/huge_pages.hpp"
 #include "model/collapse.hpp"
 #include "model/element_table.hpp"
 
@@ -78,12 +79,11 @@ void ElementAdder::add_taken(const Input& input, const TakenElements& taken) {
         const auto nodes = taken.nodes.subspan(first * width, some * width);
         taken_nodes_.resize(nodes.size());
         bool is_whole = is_plain && builder_.nodes().find(nodes, taken_nodes_.data());
-        for (std::size_t i = 0; is_whole && element->dimension >= 2 && i < some; ++i)
-            is_whole = all_differ(std::span(taken_nodes_).subspan(i * width, element->corner_count));
+        if (is_whole && element->dimension >= 2)
+            is_whole = all_differ_in_rows(taken_nodes_, width, element->corner_count);
         if (is_whole) {
-            taken_ids_.clear();
-            for (std::size_t i = 0; i < some; ++i) taken_ids_.push_back(ElementId{taken.ids[first + i]});
-            add_whole(input, shape->type, taken.run->material, taken_ids_, taken_nodes_, [&](std::size_t i) {
+            const auto ids = taken.ids.subspan(first, some);
+            add_whole(input, shape->type, taken.run->material, ids, taken_nodes_, [&](std::size_t i) {
                 return taken.offset(first + i);
             });
         } else {
@@ -94,6 +94,55 @@ void ElementAdder::add_taken(const Input& input, const TakenElements& taken) {
             });
         }
     }
+}
+
+bool ElementAdder::take_over(List& list) {
+    const auto is_taken = [](const RowRun& run) { return run.taken > 0; };
+    const auto end = std::ranges::find_if_not(list.runs, is_taken);
+    const auto runs = static_cast<std::size_t>(end - list.runs.begin());
+    if (runs == 0 || !seen_.empty() || std::any_of(end, list.runs.end(), is_taken)) return false;
+    const auto type = type_of_all(list, runs);
+    std::vector<ElementId>& ids = list.taken.element_ids;
+    if (!type || std::ranges::adjacent_find(ids, std::ranges::greater_equal{}) != ids.end() ||
+        !find_in_place(list.taken.element_nodes, element_row(*type)))
+        return false;
+    seen_.insert_first(ids);
+    std::vector<PartIndex> parts;
+    reserve_big(parts, ids.size());
+    for (std::size_t r = 0; r < runs; ++r)
+        parts.insert(parts.end(), list.runs[r].taken, part_of(list.runs[r].material));
+    builder_.add_whole_elements(*type, std::move(parts), std::move(ids), std::move(list.taken.element_nodes));
+    list.in_mesh = runs;
+    return true;
+}
+
+/// Of the first runs of a list, which have nothing left out. Nothing when they are not all of one.
+std::optional<ElementType> ElementAdder::type_of_all(const List& list, std::size_t runs) {
+    const RowRun& first = list.runs.front();
+    const auto shape = shape_of(type_of(first.type), first.nodes_each);
+    if (!shape || shape->nodes != first.nodes_each || element_row(shape->type).node_count != shape->nodes)
+        return std::nullopt;
+    const bool is_one = std::ranges::all_of(std::span(list.runs).first(runs), [&](const RowRun& run) {
+        return run.type == first.type && run.nodes_each == first.nodes_each;
+    });
+    return is_one ? std::optional(shape->type) : std::nullopt;
+}
+
+/// Indices in the place of ids, when all nodes are there and no corners repeat. False: ids are there still.
+bool ElementAdder::find_in_place(std::span<NodeIndex> nodes, const ElementRow& element) {
+    const std::size_t width = element.node_count, at_once = 512 * width;
+    for (std::size_t first = 0; first < nodes.size(); first += at_once) {
+        const auto some = nodes.subspan(first, std::min(at_once, nodes.size() - first));
+        taken_nodes_.resize(some.size());
+        if (!builder_.nodes().find(std::span<const NodeIndex>(some), taken_nodes_.data()) ||
+            (element.dimension >= 2 && !all_differ_in_rows(taken_nodes_, width, element.corner_count))) {
+            for (NodeIndex& node : nodes.first(first))
+                node = NodeIndex{static_cast<std::uint32_t>(raw(builder_.nodes().id(node)))};
+            return false;
+        }
+        std::ranges::copy(taken_nodes_, some.begin());
+    }
+    return true;
 }
 
 void ElementAdder::add_named(

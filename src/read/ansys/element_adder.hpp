@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ class SeenIds {
 public:
     /// False when it was there.
     bool insert(std::int64_t id) {
+        if (id >= first_ && id <= last_) return false;
         constexpr int kBits = 9;
         if (id >> kBits != page_ || bits_ == nullptr) {
             page_ = id >> kBits;
@@ -44,11 +46,23 @@ public:
         return is_new;
     }
 
+    /// Ids in ascending order, before all others.
+    void insert_first(std::span<const ElementId> ids) {
+        first_ = raw(ids.front());
+        last_ = raw(ids.back());
+        const bool has_holes = static_cast<std::uint64_t>(last_ - first_) != ids.size() - 1;
+        if (!has_holes) return;
+        last_ = first_ - 1;
+        for (const ElementId id : ids) insert(raw(id));
+    }
+    bool empty() const { return pages_.empty() && first_ > last_; }
+
 private:
     using Page = std::array<std::uint64_t, 8>;
     std::unordered_map<std::int64_t, Page> pages_;
     std::int64_t page_ = 0;
-    Page* bits_ = nullptr;  ///< Of page_: ids mostly ascend.
+    Page* bits_ = nullptr;                ///< Of page_: ids mostly ascend.
+    std::int64_t first_ = 0, last_ = -1;  ///< All between them are there.
 };
 
 class ElementAdder {
@@ -62,6 +76,9 @@ public:
     void add(const Input& input, const ElementRowIds& row);
 
     void add_taken(const Input& input, const TakenElements& taken);
+    /// The rows taken of a list, when they are the first of all, of one type and whole, and ascend: their
+    /// memory becomes the mesh's. False, with the list as it was, when they are not.
+    bool take_over(List& list);
 
     /// An element that only a list of its values names: its corners, in the order of their rows.
     void add_named(
@@ -108,6 +125,8 @@ public:
     const TypeShape* find_type(std::int64_t number) const;
 
 private:
+    std::optional<ElementType> type_of_all(const List& list, std::size_t runs);
+    bool find_in_place(std::span<NodeIndex> nodes, const ElementRow& element);
     PartIndex part_of(std::int64_t material);
     bool add_if_whole(const ElementRowIds& row, const RowShape& shape);
     void note_duplicate(const Input& input, std::size_t offset);
@@ -122,7 +141,6 @@ private:
     SeenIds seen_;
     std::array<NodeId, kMaxElementNodes> nodes_{};
     std::array<NodeIndex, kMaxElementNodes> found_{};
-    std::vector<ElementId> taken_ids_;
     std::vector<NodeIndex> taken_nodes_;
     std::int64_t last_type_ = -1;
     const TypeShape* type_ = nullptr;

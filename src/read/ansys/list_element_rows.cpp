@@ -138,9 +138,9 @@ void for_each_taken(const TakenElements& taken, const std::function<void(const E
     const std::size_t width = taken.run->nodes_each;
     row.nodes = std::span(nodes).first(width);
     for (std::size_t i = 0; i < taken.ids.size(); ++i) {
-        row.id = taken.ids[i];
+        row.id = raw(taken.ids[i]);
         row.offset = taken.offset(i);
-        std::ranges::copy(taken.nodes.subspan(i * width, width), nodes.begin());
+        std::ranges::transform(taken.nodes.subspan(i * width, width), nodes.begin(), raw<NodeIndex>);
         use(row);
     }
 }
@@ -176,11 +176,14 @@ void for_each_element(
     bool at_end_of_file = false;
     std::size_t taken = 0, taken_nodes = 0;
     ReleaseBehind release(file.input);
-    for (const RowRun& run : list.runs) {
+    // What stands before is compared with what follows.
+    for (std::size_t r = std::max<std::size_t>(list.in_mesh, 1) - 1; r < list.runs.size(); ++r) {
+        const RowRun& run = list.runs[r];
         if (run.taken > 0) {
             close(false);
             usual_count[run.type] = run.nodes_each;
             note_lines(file, run, usual_lines);
+            if (r < list.in_mesh) continue;
             const std::size_t nodes = run.taken * run.nodes_each;
             const TakenElements some{
                 &run,

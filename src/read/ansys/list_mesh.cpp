@@ -89,10 +89,12 @@ void add_nodes(const ListFile& file, List& list, Diagnostics& diagnostics, Liste
     for_each_node(file, list, &diagnostics, add_row, add_taken);
 }
 
-/// Memory of taken rows goes back as they turn into elements, so that not all of it is there with the mesh.
+/// Memory of taken rows becomes the mesh's, or goes back as they turn into elements, so that not all of it is
+/// there with the mesh.
 void add_elements(const ListFile& file, List& list, Diagnostics& diagnostics, ElementAdder& adder) {
     constexpr std::size_t kAtOnce = std::size_t{1} << 21U;
-    std::vector<std::uint32_t>& nodes = list.taken.element_nodes;
+    adder.take_over(list);
+    std::vector<NodeIndex>& nodes = list.taken.element_nodes;
     std::size_t used = 0, dropped = 0;
     const auto add_taken = [&](const TakenElements& taken) {
         adder.add_taken(file.input, taken);

@@ -35,8 +35,8 @@ struct ElementRowIds {
 /// Elements that were read while their list was looked for.
 struct TakenElements {
     const RowRun* run = nullptr;
-    std::span<const std::uint32_t> ids;
-    std::span<const std::uint32_t> nodes;  ///< As many of each element.
+    std::span<const ElementId> ids;
+    std::span<const NodeIndex> nodes;  ///< Their ids, as many of each element.
 
     std::size_t offset(std::size_t i) const {
         return run->begin + i * ((run->end - run->begin) / run->taken);

@@ -109,6 +109,7 @@ private:
         }
         file_.lists.push_back(std::move(list));
         taker_.begin(file_.lists.back());
+        next_page_ = {};
     }
 
     bool open_guessed(std::string_view line) {
@@ -136,6 +137,11 @@ private:
     }
 
     void text_line(const Lines& lines) {
+        if (!next_page_.empty() && lines.line() == next_page_) {
+            begin_page();
+            return;
+        }
+        next_page_ = {};
         const std::string line = capitals_of(lines.line());
         if (line.starts_with('*')) {
             star_line(line);
@@ -144,7 +150,7 @@ private:
         } else if (line.starts_with("LIST ")) {
             list_title(line, lines.begin());
         } else if (line.starts_with("NODE")) {
-            node_columns(line);
+            node_columns(line, lines);
         } else if (line.starts_with("EL")) {
             element_line(line, lines);
         } else if (line.starts_with("KEYOPT(")) {
@@ -210,7 +216,7 @@ private:
     }
 
     /// "NODE  X  Y  Z" heads nodes, "NODE  UX  UY" values, "NODE  7  12" is the footer's.
-    void node_columns(std::string_view line) {
+    void node_columns(std::string_view line, const Lines& lines) {
         const bool of_element =
             !file_.lists.empty() && file_.lists.back().kind == ListKind::ElementNodalValues;
         if (of_element && rows_ == Rows::Accepted) return;  // Stays between the rows.
@@ -230,7 +236,7 @@ private:
         } else {
             list.kind = ListKind::NodalValues;
         }
-        continue_or_open(std::move(list));
+        if (continue_or_open(std::move(list))) next_page_ = lines.line();
     }
 
     /// "ELEM MAT TYP", "ELEM SEQV", "ELEMENT TYPE 1 IS", "ELEMENT= 1 SOLID187".
@@ -257,7 +263,7 @@ private:
         } else {
             list.kind = ListKind::ElementValues;
         }
-        continue_or_open(std::move(list));
+        if (continue_or_open(std::move(list))) next_page_ = lines.line();
     }
 
     /// Column names behind the first word. False when numbers stand there: a footer.
@@ -274,18 +280,25 @@ private:
         return !head.columns.empty();
     }
 
-    void continue_or_open(List list) {
+    /// Rows of the list follow that was there before.
+    void begin_page() {
         rows_ = Rows::Accepted;
         new_run_ = true;
+    }
+
+    /// Whether the list before goes on.
+    bool continue_or_open(List list) {
+        begin_page();
         if (continues_ && !file_.lists.empty()) {
             const List& last = file_.lists.back();
             const bool same = last.kind == list.kind && last.display_system == list.display_system &&
                               last.has_angles == list.has_angles && last.has_nodes == list.has_nodes;
             // The table of each element has its own columns line; their widths may differ by a blank.
-            if (same && last.head == list.head) return;
+            if (same && last.head == list.head) return true;
         }
         continues_ = true;
         open(std::move(list));
+        return false;
     }
 
     /// The rows of PRESOL keep these lines between them: the element stands nowhere else.
@@ -390,6 +403,8 @@ private:
     Title title_ = Title::None;
     bool continues_ = false;  ///< An equal head goes on with the last list: no title or footer in between.
     bool new_run_ = true;
+    /// The columns that went on with the last list, while nothing but rows came after them: they will again.
+    std::string_view next_page_;
     ValueHead head_;
     int display_system_ = 0;
     bool lists_nodes_ = true;

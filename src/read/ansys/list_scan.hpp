@@ -72,14 +72,16 @@ struct RowRun {
 struct TakenRows {
     std::vector<NodeId> node_ids;
     std::vector<Point3> places;
-    std::vector<std::uint32_t> element_ids;
-    std::vector<std::uint32_t> element_nodes;  ///< Their ids.
+    std::vector<ElementId> element_ids;
+    /// Their ids, in the memory that will hold their indices: see ElementAdder::take_over.
+    std::vector<NodeIndex> element_nodes;
 };
 
 struct List {
     ListKind kind = ListKind::Nodes;
     std::vector<RowRun> runs;  ///< One a page or more; between them only heads.
     TakenRows taken;
+    std::size_t in_mesh = 0;  ///< So many of the first runs became elements of the mesh already.
     std::size_t rows = 0;     ///< Lines that begin with a number: a bound, some may be other text.
     ValueHead head;           ///< Of values.
     int display_system = 0;   ///< DSYS of nodes.

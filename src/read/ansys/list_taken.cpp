@@ -35,10 +35,7 @@ bool ids_in_columns(const char* at, std::size_t width, std::size_t count, std::u
         }
         return bad == 0;
     }
-    std::array<std::int64_t, kMostIds> values;  // NOLINT: all that are used are written
-    if (bad != 0 || !columns_of_integers(at, width, count, values.data())) return false;
-    for (std::size_t i = 0; i < count; ++i) out[i] = static_cast<std::uint32_t>(values[i]);
-    return true;
+    return bad == 0 && columns_of_integers(at, width, count, out);
 }
 
 /// Some runs more than pages are taken apart; a list that is a patchwork is left to be read later.
@@ -202,16 +199,16 @@ std::size_t RowTaker::take_elements(List& list, std::size_t at, bool new_run) {
     run.type = elements_.type();
     run.end = at;
     const std::size_t length = elements_.length();
+    const std::size_t width = run.nodes_each;
     do {
         grow_by_text(taken.element_ids, text.size() - run.end, length);
-        if (taken.element_nodes.capacity() < taken.element_nodes.size() + kMostIds)
+        const std::size_t used = taken.element_nodes.size();
+        if (taken.element_nodes.capacity() < used + kMostIds)
             reserve_big(
-                taken.element_nodes,
-                taken.element_nodes.size() + taken.element_nodes.size() / 2 + kMostIds +
-                    (text.size() - run.end) / length * run.nodes_each
+                taken.element_nodes, used + used / 2 + kMostIds + (text.size() - run.end) / length * width
             );
-        taken.element_ids.push_back(id);
-        taken.element_nodes.insert(taken.element_nodes.end(), nodes.begin(), nodes.begin() + run.nodes_each);
+        taken.element_ids.push_back(ElementId{id});
+        for (std::size_t i = 0; i < width; ++i) taken.element_nodes.push_back(NodeIndex{nodes[i]});
         ++run.taken;
         run.end += length;
         list.rows += elements_.lines();
