@@ -37,18 +37,48 @@ bool cutAway(vec3 at) {
 #endif
 `;
 
-export const FIELD_VERTEX = /* glsl */ `
-${PART_AND_SHAPE}
-attribute float value;
-attribute float missing;
-uniform float hatchScale;
-varying float vValue;
-varying float vMissing;
-varying float vHatch;
+/** Of both stages: where a value stands in the range. */
+const RANGE = /* glsl */ `
+uniform float lo;
+uniform float hi;
+uniform float magnitude;
+uniform int scaleKind;
+const float SLACK = 3.0e-5;
+float symmetricLog(float v) {
+  return sign(v) * log2(1.0 + abs(v) / (1.0e-3 * magnitude));
+}
+float placeOf(float v) {
+  if (!(hi > lo)) return v < lo ? -1.0 : v > hi ? 2.0 : 0.5;
+  if (scaleKind == 1) return v <= 0.0 ? -1.0 : (log2(v) - log2(lo)) / (log2(hi) - log2(lo));
+  if (scaleKind == 2) return (v + magnitude) / (2.0 * magnitude);
+  if (scaleKind == 3) return (symmetricLog(v) - symmetricLog(lo)) / (symmetricLog(hi) - symmetricLog(lo));
+  return (v - lo) / (hi - lo);
+}
+`;
+
+// Taken at the middle of what is covered, so that at a silhouette no value comes from beyond the triangle; vRunning at the
+// middle of the pixel, wherever that is, because lines need its slope. vAbove and vBelow are more than 0 where a corner is
+// beyond the range: between corners within it no rounding of what is tiny on the screen may say so.
+const SKIN_VARYINGS = /* glsl */ `
+centroid varying float vValue;
+varying float vRunning;
+centroid varying float vAbove;
+centroid varying float vBelow;
+centroid varying float vMissing;
+centroid varying float vHatch;
 varying vec3 vNormal;
 varying vec3 vToEye;
 varying vec3 vPlace;
 varying float vSolid;
+`;
+
+export const FIELD_VERTEX = /* glsl */ `
+${PART_AND_SHAPE}
+${RANGE}
+${SKIN_VARYINGS}
+attribute float value;
+attribute float missing;
+uniform float hatchScale;
 #ifdef CUT
 varying vec3 vEye;
 #endif
@@ -57,6 +87,10 @@ void main() {
   vec3 moved = movedTo();
   vec4 inView = modelViewMatrix * vec4(moved, 1.0);
   vValue = value;
+  vRunning = value;
+  float at = placeOf(value);
+  vAbove = at > 1.0 + SLACK ? 1.0 : 0.0;
+  vBelow = at < -SLACK ? 1.0 : 0.0;
   vMissing = missing;
   vHatch = dot(position, vec3(1.0, 1.0, 1.0)) * hatchScale;
   vNormal = normalMatrix * normal;
@@ -73,26 +107,11 @@ void main() {
 const COLOUR = /* glsl */ `
 uniform sampler2D palette;
 uniform float paletteSize;
-uniform float lo;
-uniform float hi;
-uniform float magnitude;
-uniform int scaleKind;
 uniform vec3 aboveColour;
 uniform vec3 belowColour;
-const float SLACK = 3.0e-5;
-float symmetricLog(float v) {
-  return sign(v) * log2(1.0 + abs(v) / (1.0e-3 * magnitude));
-}
-float placeOf(float v) {
-  if (!(hi > lo)) return v < lo ? -1.0 : v > hi ? 2.0 : 0.5;
-  if (scaleKind == 1) return v <= 0.0 ? -1.0 : (log2(v) - log2(lo)) / (log2(hi) - log2(lo));
-  if (scaleKind == 2) return (v + magnitude) / (2.0 * magnitude);
-  if (scaleKind == 3) return (symmetricLog(v) - symmetricLog(lo)) / (symmetricLog(hi) - symmetricLog(lo));
-  return (v - lo) / (hi - lo);
-}
 vec3 mapped(float t) {
-  if (t < -SLACK) return belowColour;
-  if (t > 1.0 + SLACK) return aboveColour;
+  if (t < -SLACK && vBelow > 0.0) return belowColour;
+  if (t > 1.0 + SLACK && vAbove > 0.0) return aboveColour;
   float texel = min(floor(clamp(t, 0.0, 1.0) * paletteSize), paletteSize - 1.0);
   return texture2D(palette, vec2((texel + 0.5) / paletteSize, 0.5)).rgb;
 }
@@ -122,6 +141,8 @@ vec4 capColour() {
 export const FIELD_FRAGMENT = /* glsl */ `
 precision highp float;
 ${CUT}
+${RANGE}
+${SKIN_VARYINGS}
 ${COLOUR}
 uniform bool coloured;
 uniform vec3 plainColour;
@@ -132,33 +153,19 @@ uniform float opacity;
 uniform bool isolines;
 uniform float limit;
 uniform float limitSign;
-varying float vValue;
-varying float vMissing;
-varying float vHatch;
-varying vec3 vNormal;
-varying vec3 vToEye;
-varying vec3 vPlace;
-varying float vSolid;
 ${CAP}
 /** 1 on a line where the quantity passes a whole number, about \`width\` pixels wide. */
-float lineAt(float quantity, float width) {
-  float slope = fwidth(quantity);
+float lineAt(float quantity, float slope, float width) {
   if (!(slope > 0.0) || slope > 0.5) return 0.0;
   float off = abs(fract(quantity + 0.5) - 0.5) / slope;
   return 1.0 - smoothstep(width * 0.5 - 0.5, width * 0.5 + 0.5, off);
 }
-vec3 withLines(vec3 colour, float t) {
-  float bands = t * paletteSize;
-  if (isolines && t > 0.0 && t < 1.0 && paletteSize < 100.0) colour = mix(colour, vec3(0.08), 0.8 * lineAt(bands, 1.2));
-  if (limitSign != 0.0) {
-    float slope = fwidth(vValue);
-    float off = slope > 0.0 ? abs(vValue - limit) / slope : 1.0e9;
-    colour = mix(colour, vec3(1.0), 1.0 - smoothstep(2.4, 3.2, off));
-    colour = mix(colour, vec3(0.0), 1.0 - smoothstep(1.0, 1.8, off));
-  }
-  return colour;
-}
 void main() {
+  // Derivatives are asked for before the ways part.
+  float t = placeOf(vValue);
+  float bands = placeOf(vRunning) * paletteSize;
+  float bandSlope = fwidth(bands);
+  float slope = fwidth(vRunning);
 #ifdef CUT
   if (cutAway(vPlace)) discard;
   if (!gl_FrontFacing && vSolid > 0.5 && ownPlane == -1) {
@@ -171,8 +178,14 @@ void main() {
     if (vMissing > 1.0e-6) {
       colour = missingColour * (missingHatch && fract(vHatch) < 0.25 ? 0.72 : 1.0);
     } else {
-      float t = placeOf(vValue);
-      colour = withLines(mapped(t), t);
+      colour = mapped(t);
+      if (isolines && t > 0.0 && t < 1.0 && paletteSize < 100.0)
+        colour = mix(colour, vec3(0.08), 0.8 * lineAt(bands, bandSlope, 1.2));
+      if (limitSign != 0.0) {
+        float off = slope > 0.0 ? abs(vRunning - limit) / slope : 1.0e9;
+        colour = mix(colour, vec3(1.0), 1.0 - smoothstep(2.4, 3.2, off));
+        colour = mix(colour, vec3(0.0), 1.0 - smoothstep(1.0, 1.8, off));
+      }
     }
   }
   float facing = abs(dot(normalize(vNormal), normalize(vToEye)));

@@ -24,6 +24,7 @@ import { packedTests } from "./packed.mjs";
 import { programTests } from "./program.mjs";
 import { reviewTests } from "./review.mjs";
 import { serve } from "./server.mjs";
+import { shaderTests } from "./shaders.mjs";
 import { shareTests } from "./share.mjs";
 import { smallTests } from "./small.mjs";
 import { timeTests } from "./time.mjs";
@@ -70,6 +71,7 @@ for (const { name, run, skip } of [
   ...claimTests,
   ...legendTests,
   ...lookTests,
+  ...shaderTests,
   ...nativeTests,
   ...budgetTests,
   ...listeningTests,
