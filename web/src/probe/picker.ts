@@ -134,15 +134,20 @@ export class Picker {
     if (!range) return NOTHING;
     scratchRay.origin.addScaledVector(scratchRay.direction, range.enters);
     const reach = range.leaves - range.enters;
+    const onSection = () =>
+      this.#onSection(scratchRay.origin.clone().applyMatrix4(world).distanceTo(ray.origin), world);
     const shown = this.#nearest("shown", reach);
+    if (!shown && range.enters > 0 && Number.isFinite(reach)) {
+      // In a slab between planes a ray meets no skin: what it would meet behind them tells where it is.
+      const behind = this.#nearest("shown", Number.POSITIVE_INFINITY);
+      if (behind && this.#isBackOfSolid(behind)) return onSection();
+    }
     const found = shown ?? this.#nearest("clear", reach);
     if (!found) return NOTHING;
-    const { index, target, triangle, distance: along } = found;
+    const { index, triangle, distance: along } = found;
+    if (range.enters > 0 && this.#isBackOfSolid(found)) return onSection();
     const point = scratchRay.at(along, new Vector3());
     const { a, b, c } = this.#drawnTriangle(index, triangle);
-    if (range.enters > 0 && target.part.info.kind === "solid" && this.#fromBehind(a, b, c)) {
-      return this.#onSection(scratchRay.origin.clone().applyMatrix4(world).distanceTo(ray.origin), world);
-    }
     const weights = barycentric(point.toArray(), a.toArray(), b.toArray(), c.toArray());
     point.applyMatrix4(world);
     const distance = point.distanceTo(ray.origin);
@@ -194,7 +199,10 @@ export class Picker {
     return scratchTriangle;
   }
 
-  #fromBehind(a: Vector3, b: Vector3, c: Vector3): boolean {
+  /** A triangle that the scratch ray meets from within. */
+  #isBackOfSolid({ index, target, triangle }: { index: number; target: Target; triangle: number }): boolean {
+    if (target.part.info.kind !== "solid") return false;
+    const { a, b, c } = this.#drawnTriangle(index, triangle);
     scratchNormal.copy(b).sub(a).cross(scratchSide.copy(c).sub(a));
     return scratchNormal.dot(scratchRay.direction) > 0;
   }

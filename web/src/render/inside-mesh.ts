@@ -20,10 +20,12 @@ const SURFACE_SHADE = 0.35;
 
 export class InsideMesh {
   readonly mesh: Mesh<BufferGeometry, FieldMaterial>;
-  readonly #gone: () => void;
+  readonly #changed: (gone: boolean) => void;
+  #plane: number = OWN_PLANE.skin;
 
-  constructor(triangles: InsideTriangles, uniforms: Uniforms, gone: () => void) {
-    this.#gone = gone;
+  /** `changed` is told when it lies in another plane, and when it is gone. */
+  constructor(triangles: InsideTriangles, uniforms: Uniforms, changed: (gone: boolean) => void) {
+    this.#changed = changed;
     const geometry = new BufferGeometry();
     const count = triangles.positions.length / 3;
     geometry.setAttribute("position", new BufferAttribute(triangles.positions, 3));
@@ -53,8 +55,15 @@ export class InsideMesh {
     this.mesh.frustumCulled = false;
   }
 
+  get plane(): number {
+    return this.#plane;
+  }
+
   /** The plane that it lies in does not cut it. */
   lieIn(plane: number): void {
+    if (plane === this.#plane) return;
+    this.#plane = plane;
+    this.#changed(false);
     setUniform(this.mesh.material.uniforms, "ownPlane", plane);
   }
 
@@ -62,6 +71,6 @@ export class InsideMesh {
     this.mesh.removeFromParent();
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();
-    this.#gone();
+    this.#changed(true);
   }
 }

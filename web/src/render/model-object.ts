@@ -3,11 +3,13 @@
 import { Box3, type BufferAttribute, Group, LineSegments, Matrix4, Mesh, Sphere, Vector3 } from "three";
 import type { ColourEffect, ValueRange } from "../present";
 import { MISSING, type PartField, type SceneData, type ScenePart } from "../scene";
+import { CutCaps } from "./cut-caps";
 import { edgeSources, makeGhost, typicalEdge } from "./edge-lines";
 import {
   type CutPlane,
   EdgeMaterial,
   FieldMaterial,
+  MAX_CUTS,
   setColourUniforms,
   setCutUniforms,
   setUniform,
@@ -16,6 +18,7 @@ import {
 } from "./field-material";
 import { InsideMesh, type InsideTriangles } from "./inside-mesh";
 import { type Merged, mergeEdges, mergeFaces, mergeLevel } from "./merged";
+import { type EdgeSum, openEdges } from "./open-edges";
 import type { Palette } from "./palette";
 import { type PartLook, PartTable } from "./part-table";
 
@@ -43,7 +46,13 @@ export class ModelObject {
   #edgesWanted = true;
   #edgesAllowed = true;
   readonly #inside = new Set<InsideMesh>();
-  #isCut = false;
+  #cuts: readonly CutPlane[] = [];
+  readonly #caps: CutCaps;
+  #looks: readonly PartLook[] = [];
+  /** Of each part, once a plane has asked; null: it encloses nothing. */
+  #openEdges: readonly (EdgeSum | null)[] | null = null;
+  /** Longest displacement of a vertex, real and imaginary, model units. */
+  readonly #furthest: Record<string, number> = {};
   #palette: Palette | null = null;
   /** Lists of triangles by level; 0: all of them. */
   readonly #levels = new Map<number, BufferAttribute>();
@@ -73,8 +82,9 @@ export class ModelObject {
     this.#clearMesh.renderOrder = 2;
     const drawn = [shown, this.#clearMesh];
     for (const mesh of drawn) mesh.frustumCulled = false;
-    this.group.add(...drawn);
-    const diagonal = this.box.getSize(new Vector3()).length();
+    this.#caps = new CutCaps(this.#faces.geometry, this.#uniforms);
+    this.group.add(...drawn, this.#caps.group);
+    const diagonal = this.#diagonal;
     setUniform(this.#uniforms, "hatchScale", diagonal > 0 ? 60 / diagonal : 1);
     setUniform(this.#uniforms, "capHatch", diagonal > 0 ? 90 / diagonal : 1);
   }
@@ -98,6 +108,7 @@ export class ModelObject {
     if (!index || level === this.#level) return;
     this.#level = level;
     this.#faces.geometry.setIndex(index);
+    this.#fillCuts();
   }
 
   /** Element edges, which come after the faces. */
@@ -198,6 +209,10 @@ export class ModelObject {
       else moved.fill(0, from, to);
     }
     for (let i = 0; i < moved.length; ++i) if (Number.isNaN(moved[i])) moved[i] = 0;
+    let most = 0;
+    for (let i = 0; i + 2 < moved.length; i += 3)
+      most = Math.max(most, (moved[i] ?? 0) ** 2 + (moved[i + 1] ?? 0) ** 2 + (moved[i + 2] ?? 0) ** 2);
+    this.#furthest[name] = Math.sqrt(most);
     target.needsUpdate = true;
     this.#moveLines(name);
   }
@@ -217,6 +232,7 @@ export class ModelObject {
   setFactor(factor: number, factorIm = 0): void {
     setUniform(this.#uniforms, "factor", factor);
     setUniform(this.#uniforms, "factorIm", factorIm);
+    this.#fillCuts();
   }
 
   /** 1: true colours; less: a lamp at the eye darkens what turns away, down to this share. */
@@ -227,6 +243,8 @@ export class ModelObject {
   setLooks(looks: readonly PartLook[]): void {
     this.#table.set(looks);
     this.#clearMesh.visible = looks.includes("clear");
+    this.#looks = looks;
+    this.#fillCuts();
   }
 
   /** Planes in model units minus origin. */
@@ -235,13 +253,47 @@ export class ModelObject {
     for (const material of [this.#shown, this.#clear, this.#edgeMaterial, this.#ghostMaterial])
       material.setCut(planes.length > 0);
     for (const { mesh } of this.#inside) mesh.material.setCut(planes.length > 0);
-    this.#isCut = planes.length > 0;
+    this.#cuts = planes.slice(0, MAX_CUTS);
+    this.#fillCuts();
+  }
+
+  get #diagonal(): number {
+    return this.box.getSize(scratchScale).length();
+  }
+
+  /** The solids that are shown enclose volumes, all together. */
+  get #isClosed(): boolean {
+    this.#openEdges ??= this.#faces.slices.map(({ part, firstVertex }) =>
+      part.info.kind === "solid" ? openEdges(part, firstVertex) : null,
+    );
+    const shown = this.#openEdges.filter((_, i) => (this.#looks[i] ?? "shown") === "shown");
+    const sum = (k: 0 | 1) => shown.reduce((all, edges) => (all + (edges?.[k] ?? 0)) | 0, 0);
+    return sum(0) === 0 && sum(1) === 0;
+  }
+
+  /** A reduced level keeps its rims, but nobody has counted them. */
+  #fillCuts(): void {
+    if (this.#cuts.length === 0 || this.#level > 0 || !this.#isClosed) {
+      this.#caps.hide();
+      return;
+    }
+    // Where the section is known it is the cap.
+    const known = new Set([...this.#inside].map((inside) => inside.plane));
+    const filled = this.#cuts.map((_, i) => !known.has(i));
+    const by = (name: string) => Math.abs((this.#uniforms[name]?.value as number) ?? 0);
+    const moved =
+      by("factor") * (this.#furthest.displacement ?? 0) +
+      by("factorIm") * (this.#furthest.displacementIm ?? 0);
+    this.#caps.show(this.#cuts, filled, this.box.getCenter(new Vector3()), 0.51 * this.#diagonal + moved);
   }
 
   /** Triangles of the inside, drawn until they are removed. */
   addInside(triangles: InsideTriangles): InsideMesh {
-    const made: InsideMesh = new InsideMesh(triangles, this.#uniforms, () => this.#inside.delete(made));
-    made.mesh.material.setCut(this.#isCut);
+    const made: InsideMesh = new InsideMesh(triangles, this.#uniforms, (gone) => {
+      if (gone) this.#inside.delete(made);
+      this.#fillCuts();
+    });
+    made.mesh.material.setCut(this.#cuts.length > 0);
     this.#inside.add(made);
     this.group.add(made.mesh);
     return made;
@@ -288,6 +340,7 @@ export class ModelObject {
     this.#ghost?.geometry.dispose();
     (this.#uniforms.palette?.value as { dispose(): void } | null)?.dispose();
     for (const inside of [...this.#inside]) inside.remove();
+    this.#caps.dispose();
     this.#table.dispose();
     for (const material of [this.#shown, this.#clear, this.#edgeMaterial, this.#ghostMaterial])
       material.dispose();

@@ -117,11 +117,23 @@ vec3 mapped(float t) {
 }
 `;
 
-// Where the nearest that is left of a solid is seen from behind, the eye looks into the material: plain, with the stripes
-// that lie on the plane there, because the skin knows nothing of the values inside.
-const CAP = /* glsl */ `
-#ifdef CUT
+/** The stripes of cut material, which lie in its plane: the skin knows nothing of the values inside. */
+const HATCH = /* glsl */ `
 uniform float capHatch;
+vec3 hatched(vec3 at) {
+  float across = dot(at, vec3(0.62, 0.71, 0.53)) * capHatch;
+  float stripe = fract(across);
+  float soft = fwidth(across);
+  // Too fine to be seen as stripes: their mean.
+  float dark = soft > 0.7 ? 0.18 : 1.0 - smoothstep(0.18 - soft, 0.18 + soft, min(stripe, 1.0 - stripe) * 2.0);
+  return mix(vec3(0.66, 0.68, 0.69), vec3(0.46, 0.48, 0.49), dark);
+}
+`;
+
+// Where the nearest that is left of a solid is seen from behind, the eye looks into the material.
+const MATERIAL = /* glsl */ `
+#ifdef CUT
+${HATCH}
 varying vec3 vEye;
 vec4 capColour() {
   vec3 along = vPlace - vEye;
@@ -131,9 +143,7 @@ vec4 capColour() {
     float down = dot(planes[i].xyz, along);
     if (down < 0.0) enters = max(enters, (planes[i].w - dot(planes[i].xyz, vEye)) / down);
   }
-  vec3 at = vEye + along * clamp(enters, 0.0, 1.0);
-  float stripe = fract(dot(at, vec3(0.62, 0.71, 0.53)) * capHatch);
-  return vec4(stripe < 0.18 ? vec3(0.46, 0.48, 0.49) : vec3(0.66, 0.68, 0.69), 1.0);
+  return vec4(hatched(vEye + along * clamp(enters, 0.0, 1.0)), 1.0);
 }
 #endif
 `;
@@ -153,7 +163,7 @@ uniform float opacity;
 uniform bool isolines;
 uniform float limit;
 uniform float limitSign;
-${CAP}
+${MATERIAL}
 /** 1 on a line where the quantity passes a whole number, about \`width\` pixels wide. */
 float lineAt(float quantity, float slope, float width) {
   if (!(slope > 0.0) || slope > 0.5) return 0.0;
@@ -167,9 +177,10 @@ void main() {
   float bandSlope = fwidth(bands);
   float slope = fwidth(vRunning);
 #ifdef CUT
+  vec4 cap = capColour();
   if (cutAway(vPlace)) discard;
   if (!gl_FrontFacing && vSolid > 0.5 && ownPlane == -1) {
-    gl_FragColor = capColour();
+    gl_FragColor = cap;
     return;
   }
 #endif
@@ -215,4 +226,49 @@ void main() {
   if (cutAway(vPlace)) discard;
 #endif
   gl_FragColor = vec4(colour, opacity);
+}`;
+
+/** Counts solids that a line of sight is in, by their skin: one plane alone, whatever the others take away. */
+export const COUNT_VERTEX = /* glsl */ `
+${PART_AND_SHAPE}
+varying vec3 vPlace;
+void main() {
+  vec4 state = partState();
+  vec3 moved = movedTo();
+  vPlace = moved;
+  bool counts = state.g > 0.5 && drawnHere(state);
+  gl_Position = counts ? projectionMatrix * modelViewMatrix * vec4(moved, 1.0) : NOWHERE;
+}`;
+
+export const COUNT_FRAGMENT = /* glsl */ `
+precision highp float;
+uniform vec4 planes[3];
+uniform int ownPlane;
+varying vec3 vPlace;
+void main() {
+  if (dot(planes[ownPlane].xyz, vPlace) > planes[ownPlane].w) discard;
+  gl_FragColor = vec4(0.0);
+}`;
+
+/** The plane of a cut. */
+export const CAP_VERTEX = /* glsl */ `
+uniform vec3 middle;
+uniform vec3 right;
+uniform vec3 up;
+uniform bool hasStencil;
+varying vec3 vPlace;
+void main() {
+  vPlace = middle + position.x * right + position.y * up;
+  gl_Position = hasStencil ? projectionMatrix * modelViewMatrix * vec4(vPlace, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+}`;
+
+export const CAP_FRAGMENT = /* glsl */ `
+precision highp float;
+${CUT}
+${HATCH}
+varying vec3 vPlace;
+void main() {
+  vec3 colour = hatched(vPlace);
+  if (cutAway(vPlace)) discard;
+  gl_FragColor = vec4(colour, 1.0);
 }`;

@@ -29,7 +29,12 @@ export class Stage {
 
   constructor(host: HTMLElement, options: { antialias: boolean; governed: boolean }) {
     this.quality = new Quality(options.governed);
-    this.renderer = new WebGLRenderer({ antialias: options.antialias, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({
+      antialias: options.antialias,
+      // Counts what cuts open.
+      stencil: true,
+      powerPreference: "high-performance",
+    });
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
     host.prepend(this.canvas);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the shaders draw where triangles are smaller than a pixel and where planes leave a slab, by pixels of real pictures.
 import assert from "node:assert/strict";
-import { openPage } from "./harness.mjs";
-import { viewFrom } from "./look.mjs";
+import { openPage, pixelOf, until } from "./harness.mjs";
+import { middle, unfold, viewFrom } from "./look.mjs";
 import { settled } from "./read-back.mjs";
+
+const state = () => window.feelem.state();
+const probe = () => window.feelem.lastProbe();
 
 /** How many pixels of the stage have a share of pure green, or of pure blue, that no band of the palette has. */
 async function beyond(page) {
@@ -85,6 +88,61 @@ export const shaderTests = [
       await viewFrom(page, "-y");
       const seen = await beyond(page);
       assert.ok(seen.above > 1000 && seen.below > 1000, JSON.stringify(seen));
+      await context.close();
+      await close();
+    },
+  },
+  {
+    name: "shaders_leave_no_slab_between_two_planes_to_be_seen_through",
+    async run({ browser, serveTiny }) {
+      const { url, close } = await serveTiny({ bars: 2 });
+      const { page, context } = await openPage(browser, url);
+      for (const key of ["x", "e", "0"]) await page.keyboard.press(key);
+      await viewFrom(page, "+x");
+      const section = await unfold(page, "cuts");
+      // Ten millimetres of the bars' middle are left: seen from their end no skin lies in between.
+      for (const [plane, offset] of [
+        [1, 65],
+        [2, 55],
+      ]) {
+        await section.getByRole("button", { name: "Add a plane" }).click();
+        await section.getByLabel(`normal of plane ${plane}`).fill("1 0 0");
+        await page.keyboard.press("Enter");
+        await section.getByLabel(`place of plane ${plane}, typed`).fill(String(offset));
+        await page.keyboard.press("Enter");
+      }
+      await section.getByLabel("other side of plane 2").click();
+      const { cuts } = await until(page, state, (s) => s.cuts[1]?.normal[0] === -1, "the slab");
+      assert.deepEqual(
+        cuts.map((cut) => cut.offset),
+        [65, -55],
+      );
+      await page.mouse.move(5, 5);
+      const colourAt = async (dx, dy) => {
+        await settled(page);
+        const { x, y } = await middle(page, dx, dy);
+        return pixelOf(page, await page.screenshot(), x, y);
+      };
+      const isMaterial = ([r, g, b]) => Math.max(r, g, b) - Math.min(r, g, b) < 12 && g > 110 && g < 185;
+      const near = await colourAt(-60, 8);
+      assert.ok(isMaterial(near), `the first bar is filled, not ${near}`);
+      const gap = await colourAt(0, 38);
+      assert.ok(!isMaterial(gap), `between the bars there is nothing to fill, not ${gap}`);
+      const { x, y } = await middle(page, -60, 8);
+      await page.mouse.move(x, y);
+      await until(
+        page,
+        () => document.querySelector(".card.inside")?.textContent ?? "",
+        (t) => t.includes("no value"),
+        "the words",
+      );
+      assert.equal(await page.evaluate(probe), null);
+      await page.mouse.move(5, 5);
+      // A hidden bar leaves no cap.
+      await (await unfold(page, "parts")).getByLabel("show bar", { exact: true }).click();
+      const hidden = await colourAt(-60, 8);
+      assert.ok(!isMaterial(hidden), `a hidden bar is not filled, not ${hidden}`);
+      assert.deepEqual(hidden, gap);
       await context.close();
       await close();
     },

@@ -97,3 +97,21 @@ test("nearest_place_is_neither_cut_away_nor_hidden", async () => {
   picker.setLooks(["hidden"]);
   expect(at()).toBeNull();
 });
+
+test("a_ray_through_a_slab_between_planes_meets_the_material_and_passes_where_there_is_none", async () => {
+  const { parts } = await open();
+  const picker = new Picker(parts);
+  await picker.build();
+  picker.setCuts([
+    { normal: [1, 0, 0], offset: 65 },
+    { normal: [-1, 0, 0], offset: -55 },
+  ]);
+  const along = new Vector3(-1, 0, 0);
+
+  const { hit, inside } = picker.cast(new Ray(new Vector3(200, 17, 11), along), none);
+  expect(hit).toBeNull();
+  expect(inside?.toArray()).toEqual([65, 17, 11]);
+  expect(picker.cast(new Ray(new Vector3(200, 57, 11), along), none).inside).toBeNull();
+  picker.setLooks(["hidden"]);
+  expect(picker.cast(new Ray(new Vector3(200, 17, 11), along), none).inside).toBeNull();
+});
