@@ -20,7 +20,7 @@ void refuse_making_a_scene_again(const Options& options) {
     ));
 }
 
-SceneInput::SceneInput(const Options& options) {
+SceneInput::SceneInput(const Options& options, const SceneWatcher& watcher) {
     const Job& job = options.job;
     if (job.inputs.size() == 1 && is_scene(job.inputs.front())) {
         path_ = job.inputs.front();
@@ -28,7 +28,18 @@ SceneInput::SceneInput(const Options& options) {
     }
     Terminal terminal(options.verbose);
     ToldDiagnostics diagnostics(terminal);
-    made_.emplace(job, *diagnostics, terminal.progress());
+    const auto progress = [&, bar = terminal.progress()](std::string_view stage, double fraction) {
+        if (watcher.progress) watcher.progress(stage, fraction);
+        return bar(stage, fraction);
+    };
+    ShapeStands shape_stands;
+    if (watcher.shape_stands) {
+        shape_stands = [&](const std::string& shape_path, const std::string& scene_path) {
+            terminal.finish();  // What is said now has a line of its own.
+            watcher.shape_stands(shape_path, scene_path);
+        };
+    }
+    made_.emplace(job, *diagnostics, progress, shape_stands);
     diagnostics.print();
     path_ = made_->path();
 }

@@ -5,8 +5,10 @@
 #include "command.hpp"
 #include "convert/scene_for_viewing.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace feelem::cli {
 
@@ -14,10 +16,17 @@ namespace feelem::cli {
 /// were given that say how a scene is made: they would change nothing.
 void refuse_making_a_scene_again(const Options& options);
 
+/// Who wants to know of a scene while it is made.
+struct SceneWatcher {
+    ShapeStands shape_stands{};
+    /// Told what the terminal's bar is told.
+    std::function<void(std::string_view stage, double fraction)> progress{};
+};
+
 class SceneInput {
 public:
     /// Converts when the inputs are no scene. Throws what convert() throws.
-    explicit SceneInput(const Options& options);
+    explicit SceneInput(const Options& options, const SceneWatcher& watcher = {});
 
     /// Empty when the conversion was cancelled.
     const std::string& path() const noexcept { return path_; }

@@ -93,7 +93,7 @@ std::vector<std::string> host_names(const LanNames& lan, const Certificate& cert
 }  // namespace
 
 struct PageServer::State {
-    explicit State(const ServeOptions& options) : folder(options.scene_path) {}
+    explicit State(const ServeOptions& options) : folder(options.scene_path), opening(options.opening) {}
 
     SceneFolder folder;
     std::map<std::string, Asset, std::less<>> assets;
@@ -104,6 +104,7 @@ struct PageServer::State {
     std::unique_ptr<Guard> guard;
     std::unique_ptr<FrontDoor> door;
     std::unique_ptr<InsideQuestions> inside;  ///< Null: the scene is all there is.
+    std::shared_ptr<Opening> opening;         ///< Null: the scene was there from the start.
     RateLimit requests{kRequestsAtOnce, kRequestsASecond};
     RateLimit refusals{kRefusalsAtOnce, kRefusalsASecond};
 
@@ -134,10 +135,12 @@ void PageServer::State::collect_assets() {
         assets[std::string(asset.path)] = {
             std::string(asset.path), asset.gzip, sha256_hex(asset.gzip), nullptr};
     }
-    if (inside) {
+    const auto add_hint = [this](const auto& with_hint) {
         Asset& index = assets["/index.html"];
-        index = packed_asset("/index.html", with_inside_hint(unpack(index.gzip)));
-    }
+        index = packed_asset("/index.html", with_hint(unpack(index.gzip)));
+    };
+    if (inside) add_hint(with_inside_hint);
+    if (opening) add_hint(with_opening_hint);
     if (token.empty()) return;
     const ConnectFacts facts{
         links(),
@@ -149,8 +152,7 @@ void PageServer::State::collect_assets() {
     const std::string link = facts.links.empty() ? facts.usb_link : facts.links.front();
     assets["/connect.svg"] = packed_asset("/connect.svg", qr_for_page(link));
     assets["/connect.css"] = packed_asset("/connect.css", connect_style());
-    assets["/index.html"] =
-        packed_asset("/index.html", with_connect_hint(unpack(assets["/index.html"].gzip)));
+    add_hint(with_connect_hint);
 }
 
 FrontDoor::Outcome PageServer::State::serve(Connection& connection, const RequestHead& head) {
@@ -209,10 +211,17 @@ void PageServer::State::answer(
     if (const auto asset = assets.find(path == "/" ? "/index.html" : path); asset != assets.end()) {
         return answer_asset(exchange, asset->second);
     }
-    if (const auto file = folder.find(path)) return answer_file(exchange, file);
+    const auto is_gone = [&] { return connection.is_gone(); };
+    if (opening && path == "/opening") return opening->answer_progress(exchange, is_gone);
+    // Whoever comes too late for the shape alone gets the scene.
+    const bool is_shape = opening && path == "/shape.glb";
+    if (const auto shape = is_shape ? opening->shape() : nullptr) return answer_file(exchange, shape);
+    if (opening && (is_shape || folder.owns(path) || path.starts_with("/inside/")) &&
+        !opening->is_finished(exchange, is_gone))
+        return;
+    if (const auto file = folder.find(is_shape ? "/scene.glb" : path)) return answer_file(exchange, file);
     if (path.starts_with("/inside/")) {
-        if (inside)
-            return inside->answer(exchange, connection.address(), [&] { return connection.is_gone(); });
+        if (inside) return inside->answer(exchange, connection.address(), is_gone);
         return answer_text(response, 404, "this scene has no volume elements: open the model file\n");
     }
     answer_text(response, 404, "there is no such file\n");
@@ -220,7 +229,7 @@ void PageServer::State::answer(
 
 PageServer::PageServer(const ServeOptions& options) : state_(std::make_unique<State>(options)) {
     const std::string suffix = std::filesystem::path(options.scene_path).extension().string();
-    if (!state_->folder.find("/scene" + suffix)) {
+    if (!options.opening && !state_->folder.find("/scene" + suffix)) {
         throw Error(Code::FileNotFound, options.scene_path, "there is no such scene");
     }
     if (options.lan) {

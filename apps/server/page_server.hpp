@@ -5,6 +5,7 @@
 
 #include "front_door.hpp"
 #include "inside_questions.hpp"
+#include "opening.hpp"
 
 #include <memory>
 #include <optional>
@@ -24,10 +25,12 @@ struct ServeOptions {
     DoorLimits limits{};
     std::optional<Job> model{};  ///< That the scene was made of: questions to its inside are answered.
     InsideLimits inside{};
+    std::shared_ptr<Opening> opening{};  ///< The scene is still being made; null: it is there.
 };
 
 /// Answers from start() to stop(): only requests for our own names, only GET and HEAD, only what the page and
-/// the scene consist of, and questions to the inside of a model that was opened. For the local network every
+/// the scene consist of, how far a scene is that is still being made, and questions to the inside of a model
+/// that was opened. For the local network every
 /// path begins with a random token, and without it there is not a byte of the model, its name or its numbers;
 /// plain connections are taken from this machine alone.
 class PageServer {

@@ -94,6 +94,11 @@ std::string SceneFolder::file_behind(std::string_view url_path) const {
     return {};
 }
 
+bool SceneFolder::owns(std::string_view url_path) const {
+    return url_path == "/scene" + suffix_ || url_path == "/" + name_ || url_path.starts_with("/scene.d/") ||
+           url_path.starts_with("/" + stem_ + ".d/");
+}
+
 std::shared_ptr<const ServedFile> SceneFolder::find(std::string_view url_path) {
     const std::string path = file_behind(url_path);
     if (path.empty()) return nullptr;

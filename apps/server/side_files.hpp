@@ -44,6 +44,8 @@ public:
     /// "/scene.glb", "/NAME.glb", "/scene.d/FILE", "/NAME.d/FILE" (and .gltf); null for every other path.
     /// A file that was written anew has another etag.
     std::shared_ptr<const ServedFile> find(std::string_view url_path);
+    /// Whether such a path is ours, be there a file or not.
+    bool owns(std::string_view url_path) const;
 
 private:
     std::string file_behind(std::string_view url_path) const;

@@ -56,9 +56,19 @@ std::string_view version();
 /// Null when cancelled.
 std::unique_ptr<ModelSource> open_job(const Job& job, Diagnostics& diagnostics, const Progress& progress);
 
+/// A scene of the shape alone, for who does not want to wait until results are read as well. It has no
+/// results, names no inputs, and its certificate says by the note "preview" that it is not the finished
+/// scene; its vertices, triangles and edges are those of the finished one, bit for bit.
+struct EarlyShape {
+    std::string output;            ///< Path of a .glb; empty: none is made.
+    std::function<void()> stands;  ///< Told once, from the calling thread, when it is written.
+};
+
 /// Writes job.output in the format of its suffix. Throws Error. False when cancelled: then nothing was
-/// written.
-bool convert(const Job& job, Diagnostics& diagnostics, const Progress& progress);
+/// written but maybe the early shape, which only scenes have.
+bool convert(
+    const Job& job, Diagnostics& diagnostics, const Progress& progress, const EarlyShape& early = {}
+);
 
 /// Levels of detail of a scene against its full triangles and values, by the independent checker: every
 /// original vertex at every result and step. Nothing when it has no levels. Throws Error(BadScene).

@@ -105,7 +105,7 @@ void report_left_out(const Job& job, const ScenePlan& plan, Diagnostics& diagnos
     );
 }
 
-void run(Job job, Diagnostics& diagnostics, const Progress& progress) {
+void run(Job job, Diagnostics& diagnostics, const Progress& progress, const EarlyShape& early) {
     const OutputKind kind = output_kind(job.output);
     check_output(job);
     const bool is_scene = kind == OutputKind::Glb || kind == OutputKind::Gltf;
@@ -116,7 +116,7 @@ void run(Job job, Diagnostics& diagnostics, const Progress& progress) {
     const auto steps = select_steps(source->steps(), job.steps, default_steps_of(kind), diagnostics);
     PreparedSource shown(*source, select_results(*source, steps, job.results), preparing_of(job));
     std::vector<std::size_t> results = shown.all_results();
-    Work work{job, diagnostics, progress, shown, plan_scene(shown, shown.used_steps(), results)};
+    Work work{job, diagnostics, progress, shown, plan_scene(shown, shown.used_steps(), results), early};
     if (is_scene) return write_as_scene(work);
     report_left_out(job, work.plan, diagnostics);
     results = only_last(work.plan, std::move(results));
@@ -127,9 +127,9 @@ void run(Job job, Diagnostics& diagnostics, const Progress& progress) {
 
 }  // namespace
 
-bool convert(const Job& job, Diagnostics& diagnostics, const Progress& progress) {
+bool convert(const Job& job, Diagnostics& diagnostics, const Progress& progress, const EarlyShape& early) {
     try {
-        run(job, diagnostics, progress);
+        run(job, diagnostics, progress, early);
         if (progress) progress("write", 1);  // Done: too late to cancel.
         return true;
     } catch (const Cancelled&) {

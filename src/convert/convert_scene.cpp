@@ -49,6 +49,38 @@ std::string scene_title(const Job& job, const ModelSource& source) {
     return std::filesystem::path(job.output).stem().string();
 }
 
+/// What the shape's scene and the finished one have in common.
+SceneContents shape_of(const Work& work, const Surface& surface) {
+    SceneContents contents;
+    contents.title = scene_title(work.job, work.source);
+    contents.solver = work.source.solver();
+    contents.mesh = &work.source.mesh();
+    contents.surface = &surface;
+    contents.up = work.job.up;
+    contents.steps = work.plan.steps;
+    contents.notes["skin"] = skin_note(work.job.skin.method);
+    contents.notes["subdivide"] = std::to_string(work.job.skin.subdivide);
+    return contents;
+}
+
+SceneOptions scene_options(const Job& job) {
+    SceneOptions options;
+    options.compress = job.compress;
+    options.bound = job.compress_bound;
+    return options;
+}
+
+/// The inputs are not named: their digests may still be on their way.
+void offer_shape(const Work& work, const Surface& surface) {
+    if (work.early.output.empty()) return;
+    SceneContents contents = shape_of(work, surface);
+    contents.presentation.title = contents.title;
+    contents.notes["preview"] = "the shape alone, while results were being read";
+    Diagnostics told_by_the_finished_scene;
+    write_scene(contents, work.early.output, scene_options(work.job), told_by_the_finished_scene);
+    if (work.early.stands) work.early.stands();
+}
+
 }  // namespace
 
 void report_interpolation(const Work& work, std::uint64_t interpolated) {
@@ -71,21 +103,16 @@ Surface skin_of(const Work& work) {
 void write_as_scene(Work& work) {
     Surface surface = skin_of(work);
     if (work.job.compress) order_for_drawing(surface);
+    offer_shape(work, surface);
     SceneValueStore store(work.source, surface, work.plan);
     store.read_all(work.progress);
     report_interpolation(work, store.interpolated());
 
-    SceneContents contents;
-    contents.title = scene_title(work.job, work.source);
-    contents.solver = work.source.solver();
+    SceneContents contents = shape_of(work, surface);
     report_progress(work.progress, "hash", 0);
     const auto inputs = work.source.inputs();
     contents.inputs.assign(inputs.begin(), inputs.end());
     if (auto list = surface_nodes_record(work.job)) contents.inputs.push_back(std::move(*list));
-    contents.mesh = &work.source.mesh();
-    contents.surface = &surface;
-    contents.up = work.job.up;
-    contents.steps = work.plan.steps;
     std::size_t fields = 0, done = 0;
     for (std::size_t i = 0; i < work.plan.results.size(); ++i) {
         contents.results.push_back(work.plan.results[i].scene);
@@ -96,15 +123,11 @@ void write_as_scene(Work& work) {
         {work.source.mesh(), surface, work.plan, store}, work.job.presentation_file, contents.title
     );
     contents.shown_step = choose_shown_step(work.plan, contents.presentation);
-    contents.notes["skin"] = skin_note(work.job.skin.method);
-    contents.notes["subdivide"] = std::to_string(work.job.skin.subdivide);
     if (!work.job.envelopes.empty()) contents.notes["envelopes"] = work.job.envelopes;
     if (store.interpolated() > 0) {
         contents.notes["midside_interpolated"] = std::to_string(store.interpolated());
     }
-    SceneOptions options;
-    options.compress = work.job.compress;
-    options.bound = work.job.compress_bound;
+    const SceneOptions options = scene_options(work.job);
     make_levels(work, surface, store, options, contents);
     contents.load = [&](std::size_t result, std::size_t values) {
         report_progress(work.progress, "write", fraction_of(done++, fields));

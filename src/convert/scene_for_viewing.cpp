@@ -40,7 +40,9 @@ bool is_scene(const std::string& path) {
     return fs::path(path).extension() == ".gltf" && head[0] == '{';
 }
 
-SceneForViewing::SceneForViewing(Job job, Diagnostics& diagnostics, const Progress& progress) {
+SceneForViewing::SceneForViewing(
+    Job job, Diagnostics& diagnostics, const Progress& progress, const ShapeStands& shape_stands
+) {
     if (job.inputs.size() == 1 && is_scene(job.inputs.front())) {
         path_ = job.inputs.front();
         return;
@@ -48,8 +50,15 @@ SceneForViewing::SceneForViewing(Job job, Diagnostics& diagnostics, const Progre
     folder_ = make_folder();
     const std::string stem = fs::path(job.inputs.front()).stem().string();
     job.output = (fs::path(folder_) / ((stem.empty() ? "scene" : stem) + ".glb")).string();
+    EarlyShape early;
+    if (shape_stands) {
+        early.output = job.output + ".shape.glb";
+        early.stands = [&] { shape_stands(early.output, job.output); };
+    }
     try {
-        if (convert(job, diagnostics, progress)) path_ = job.output;
+        if (convert(job, diagnostics, progress, early)) path_ = job.output;
+        std::error_code error;
+        if (!early.output.empty()) fs::remove(early.output, error);
     } catch (...) {
         std::error_code error;
         fs::remove_all(folder_, error);

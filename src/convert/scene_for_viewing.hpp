@@ -4,14 +4,21 @@
 
 #include "feelem/convert.hpp"
 
+#include <functional>
 #include <string>
 
 namespace feelem {
 
+/// While a scene is made: where its shape alone stands already, and where the scene will be. The first goes
+/// when the second is there.
+using ShapeStands = std::function<void(const std::string& shape_path, const std::string& scene_path)>;
+
 class SceneForViewing {
 public:
     /// Converts when the inputs are no scene; `job.output` means nothing. Throws what convert() throws.
-    SceneForViewing(Job job, Diagnostics& diagnostics, const Progress& progress);
+    SceneForViewing(
+        Job job, Diagnostics& diagnostics, const Progress& progress, const ShapeStands& shape_stands = {}
+    );
     ~SceneForViewing();
     SceneForViewing(const SceneForViewing&) = delete;
     SceneForViewing& operator=(const SceneForViewing&) = delete;

@@ -18,6 +18,7 @@ struct Work {
     const Progress& progress;
     ModelSource& source;
     ScenePlan plan;
+    const EarlyShape& early;
 };
 
 /// The skin that the plan needs.

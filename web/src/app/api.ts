@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // window.feelem: what tests and scripts may read (docs/page-api.md). It changes nothing.
 import type { FeelemExtras } from "../scene";
+import type { Reading } from "./opening";
 import type { PresentationDoc } from "./presentation-doc";
 import type { ProbeReport } from "./probe-report";
 
@@ -18,6 +19,8 @@ export interface PageState {
   readonly step: number;
   readonly deformationFactor: number;
   readonly session: "none" | "immersive-vr";
+  /** Only the shape is there. */
+  readonly reading: Reading | null;
   /** What each feature says of itself (docs/page-api.md). */
   readonly [feature: string]: unknown;
 }

@@ -15,6 +15,7 @@ import { firstState } from "./first-state";
 import { keyCommands } from "./keys";
 import { makeActions } from "./make-actions";
 import { ModelView } from "./model-view";
+import type { Reading } from "./opening";
 import { Overlay } from "./overlay";
 import type { Page } from "./page";
 import { PageView } from "./page-view";
@@ -61,6 +62,7 @@ export class App implements ApiSource {
   readonly #options: AppOptions;
   #stale = true;
   #pressed = false;
+  #refreshed: Promise<void> = Promise.resolve();
 
   constructor(page: Page, scene: SceneData, options: AppOptions) {
     this.#page = page;
@@ -120,6 +122,22 @@ export class App implements ApiSource {
     await this.#vr.ask();
   }
 
+  /** How far results are that belong to the shape that is shown. */
+  setReading(reading: Reading): void {
+    if (this.view.isPreview) this.store.set({ reading });
+  }
+
+  /** The finished scene of the shape that is shown: camera, headset and what the person did meanwhile stay.
+   * False: it is of another shape. */
+  async adopt(scene: SceneData): Promise<boolean> {
+    const before = firstState(this.view.scene);
+    if (!this.view.adopt(scene)) return false;
+    this.feature<Links>("links").settle(firstState(this.view.scene), before);
+    await this.#refreshed;
+    this.say("The results are there.");
+    return true;
+  }
+
   get vrAnswer() {
     return this.#vr.answer;
   }
@@ -155,13 +173,14 @@ export class App implements ApiSource {
   }
 
   state(): PageState {
-    const { doc, step, session } = this.store.state;
+    const { doc, step, session, reading } = this.store.state;
     const panelPages = session === "none" ? null : this.panelPages().map((page) => page.id);
     const own = {
       presentation: doc,
       step,
       deformationFactor: this.view.factor,
       session,
+      reading,
       panelPages,
       headset: this.#vr.report(),
     };
@@ -301,7 +320,7 @@ export class App implements ApiSource {
   }
 
   #stateChanged(state: ViewState, before: ViewState): void {
-    if (state.step !== before.step || state.doc !== before.doc) void this.view.refresh();
+    if (state.step !== before.step || state.doc !== before.doc) this.#refreshed = this.view.refresh();
     if (state.deformMode !== before.deformMode || state.typedFactor !== before.typedFactor)
       this.view.applyFactor();
     if (state.theme !== before.theme) applyTheme(state.theme, this.stage);

@@ -4,6 +4,7 @@ import type { CardModel, CardRow, IconName } from "../ui";
 import { numberText, unitText } from "../ui";
 import { isPast, utilisation } from "./limits";
 import type { ModelView, Shown } from "./model-view";
+import type { Reading } from "./opening";
 import { type PresentationDoc, type Slot, slotsOf } from "./presentation-doc";
 import type { ProbeReport } from "./probe-report";
 
@@ -27,7 +28,7 @@ export function cardModel(
   view: ModelView,
   doc: PresentationDoc,
   report: ProbeReport,
-  options: { pinned: boolean; sounding: boolean; vibrates: boolean },
+  options: { pinned: boolean; sounding: boolean; vibrates: boolean; reading: Reading | null },
 ): CardModel {
   const rows = report.results.flatMap((entry): CardRow[] => {
     const shown = view.shown.find((s) => s.key === entry.key);
@@ -58,6 +59,7 @@ export function cardModel(
     report,
     rows,
     pinned: options.pinned,
+    reading: options.reading,
     lengthUnit: view.scene.extras.lengthUnit?.name ?? null,
     sounding: options.sounding && heard.length > 0 ? heard.join(" · ") : null,
   };

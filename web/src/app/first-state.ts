@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene from its address, and the state the page starts in.
-import { openScene, type SceneData } from "../scene";
+import { isPreview, openScene, type SceneData } from "../scene";
 import { carriedFiles } from "./carried";
 import { rememberedPerson } from "./person";
 import { defaultPresentation, type PresentationDoc } from "./presentation-doc";
@@ -62,7 +62,7 @@ export function firstState(scene: SceneData): ViewState {
     problem:
       scene.gaps.length > 0 ? `The scene has lost ${scene.gaps.join(", ")}: they cannot be shown.` : null,
     notice: "",
-    loading: false,
+    reading: isPreview(extras) ? { stage: "", percent: 0, failed: null } : null,
     person: rememberedPerson(doc.audio),
     guide: false,
     pins: [],

@@ -4,7 +4,7 @@ import { Vector3 } from "three";
 import { automaticDeformationFactor, type ValueRange } from "../present";
 import { type Cut, Picker } from "../probe";
 import { ModelObject } from "../render";
-import { boundOf, type SceneData, type SceneResult, type SceneStep } from "../scene";
+import { boundOf, isPreview, onShape, type SceneData, type SceneResult, type SceneStep } from "../scene";
 import { boundText, unitText } from "../ui";
 import { largestOf, toVectors } from "./displacements";
 import {
@@ -34,11 +34,11 @@ export interface Shown extends Presented {
 }
 
 export class ModelView {
-  readonly scene: SceneData;
   readonly model: ModelObject;
   readonly picker: Picker;
   /** Settled when the element edges are drawn, or when they cannot be. */
   readonly edgesCame: Promise<void>;
+  #scene: SceneData;
   readonly #store: Store;
   readonly #changed: () => void;
   #shown: readonly Shown[] = [];
@@ -59,7 +59,7 @@ export class ModelView {
   #insideText: () => string = () => SKIN_ONLY;
 
   constructor(scene: SceneData, store: Store, changed: () => void) {
-    this.scene = scene;
+    this.#scene = scene;
     this.#store = store;
     this.#changed = changed;
     this.model = new ModelObject(scene);
@@ -68,6 +68,25 @@ export class ModelView {
       () => this.#drawEdges(),
       (error: Error) => this.#store.set({ problem: `Edges of elements: ${error.message}` }),
     );
+  }
+
+  get scene(): SceneData {
+    return this.#scene;
+  }
+
+  /** The shape alone is there: nothing is known of results yet. */
+  get isPreview(): boolean {
+    return isPreview(this.#scene.extras);
+  }
+
+  /** Results for the shape that is drawn; false: this is another shape. */
+  adopt(finished: SceneData): boolean {
+    const scene = onShape(this.#scene, finished);
+    if (!scene) return false;
+    this.#scene = scene;
+    // Nothing is coloured yet.
+    this.#loadedStep = Number.NaN;
+    return true;
   }
 
   #drawEdges(): void {
@@ -360,7 +379,7 @@ export class ModelView {
   }
 
   get ready(): boolean {
-    return this.#loadedStep === this.#store.state.step;
+    return !this.isPreview && this.#loadedStep === this.#store.state.step;
   }
 
   dispose(): void {

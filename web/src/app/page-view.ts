@@ -48,13 +48,13 @@ export class PageView {
       },
       actions,
     );
-    this.#page.renderBanner(state.problem, state.loading, actions);
-    this.#page.renderLegend(models.legend(), actions);
+    this.#page.renderBanner(state.problem, state.reading, actions);
+    this.#page.renderLegend(models.legend(), state.reading, actions);
   }
 
   /** Whatever follows the camera or the pointer. */
   follow(): void {
-    const { stage, view, probing, models, actions, overlay } = this.#app;
+    const { stage, store, view, probing, models, actions, overlay } = this.#app;
     const matrix = view.model.worldMatrix();
     this.#page.renderTriad(stage, matrix, actions);
     const place = probing.current()?.place ?? null;
@@ -62,6 +62,6 @@ export class PageView {
     this.#page.renderCard(models.card(), at, () => this.#app.pin(null));
     this.#page.renderMarkers(overlay.markers(at));
     this.#page.renderHandles(this.#app.features.flatMap((f) => f.handles?.() ?? []));
-    this.#page.renderLegend(models.legend(), actions);
+    this.#page.renderLegend(models.legend(), store.state.reading, actions);
   }
 }

@@ -18,6 +18,7 @@ import {
   type PlaceChoice,
   paintLegend,
   placeMenuTemplate,
+  readingTemplate,
   resultTableTemplate,
   type Section,
   type StepBarModel,
@@ -29,6 +30,7 @@ import {
   triadTemplate,
 } from "../ui";
 
+import type { Reading } from "./opening";
 import { PaletteView } from "./palette-view";
 
 /** Speech follows at most twice a second. */
@@ -119,8 +121,8 @@ export class Page {
     );
   }
 
-  renderLegend(model: LegendModel | null, actions: Actions): void {
-    render(legendTemplate(model, actions), this.#right);
+  renderLegend(model: LegendModel | null, reading: Reading | null, actions: Actions): void {
+    render(legendTemplate(model, reading, actions), this.#right);
     const canvas = this.#right.querySelector("canvas");
     if (model && canvas) paintLegend(canvas, model.palette);
   }
@@ -141,10 +143,10 @@ export class Page {
     render(markersTemplate(markers), this.#markers);
   }
 
-  renderBanner(problem: string | null, loading: boolean, actions: Actions): void {
+  renderBanner(problem: string | null, reading: Reading | null, actions: Actions): void {
     render(
-      html`${problem ? html`<div class="banner" role="alert"><span>${problem}</span><button type="button" class="plain" @click=${() => actions.dismissProblem()}>close</button></div>` : null}
-      ${loading ? html`<p class="busy">reading the scene …</p>` : null}`,
+      html`${reading ? readingTemplate(reading) : null}
+      ${problem ? html`<div class="banner" role="alert"><span>${problem}</span><button type="button" class="plain" @click=${() => actions.dismissProblem()}>close</button></div>` : null}`,
       this.#banner,
     );
   }

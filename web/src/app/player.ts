@@ -31,6 +31,7 @@ export class Player {
   }
 
   get canPlay(): boolean {
+    if (this.#view.isPreview) return false;
     return this.#view.scene.extras.steps.length > 1 || (this.#turns && this.#view.hasShape);
   }
 

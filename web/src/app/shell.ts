@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which scene is open: from an address, dropped on the page, or chosen from a file. Nothing leaves this machine.
-import { openScene } from "../scene";
+import { isPreview, openScene } from "../scene";
 import { App, type AppOptions } from "./app";
 import { fetchScene } from "./first-state";
+import { Opening, type OpeningNews } from "./opening";
 import { Page } from "./page";
 
 const JSON_NAME = /\.json$/i;
@@ -67,12 +68,44 @@ export class Shell {
   }
 
   async openAddress(sceneUrl: string): Promise<void> {
+    const served = sceneUrl === OWN_SCENE;
+    const opening = served ? Opening.find() : null;
     try {
-      await this.#show(await fetchScene(sceneUrl), sceneUrl, sceneUrl === OWN_SCENE);
+      if (opening) await this.#open(opening, sceneUrl);
+      else await this.#show(await fetchScene(sceneUrl), sceneUrl, served);
     } catch (error) {
-      this.#page.showFailure(error instanceof Error ? error.message : String(error));
+      const reason = error instanceof Error ? error.message : String(error);
+      if (this.#app?.view.isPreview) this.#app.setReading({ stage: "", percent: 0, failed: reason });
+      else this.#page.showFailure(reason);
       throw error;
     }
+  }
+
+  /** A scene that is still being made: its shape at once, and the rest in its place when it is there. */
+  async #open(opening: Opening, sceneUrl: string): Promise<void> {
+    let news = await opening.ask(0);
+    if (news.state !== "reading") return this.#finish(news, sceneUrl);
+    const shape = await fetchScene(opening.shape);
+    const shown = this.#show(shape, sceneUrl, true);
+    const app = this.#app;
+    // What could not be drawn is said below, when it is waited for.
+    shown.catch(() => {});
+    while (news.state === "reading" && isPreview(shape.extras)) {
+      app?.setReading({ stage: news.stage, percent: news.percent, failed: null });
+      news = await opening.ask(news.version);
+      // Somebody has opened something else.
+      if (this.#app !== app) return;
+    }
+    await shown;
+    if (isPreview(shape.extras) && this.#app === app) await this.#finish(news, sceneUrl);
+  }
+
+  async #finish(news: OpeningNews, sceneUrl: string): Promise<void> {
+    if (news.state === "failed") throw new Error(news.text);
+    const app = this.#app;
+    const scene = await fetchScene(sceneUrl);
+    if (this.#app !== app || (app && (await app.adopt(scene)))) return;
+    await this.#show(scene, sceneUrl, true);
   }
 
   /** A scene with its side files, or a presentation for the scene that is open. */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The state of the page in one object; whoever shows it subscribes.
+import type { Reading } from "./opening";
 import type { Person } from "./person";
 import type { PresentationDoc } from "./presentation-doc";
 
@@ -24,7 +25,8 @@ export interface ViewState {
   readonly problem: string | null;
   /** What happened last, for people and screen readers. */
   readonly notice: string;
-  readonly loading: boolean;
+  /** Only the shape is there; null: the scene is. */
+  readonly reading: Reading | null;
   /** Ids of parts that are not drawn, and of those one sees through. */
   readonly hidden: readonly number[];
   readonly clear: readonly number[];

@@ -59,6 +59,17 @@ export class Undo {
     return true;
   }
 
+  /** A change that nobody made: it is not undone, and what is undone keeps it. */
+  settle(change: Partial<ViewState>): void {
+    this.#moving = true;
+    this.#store.set(change);
+    this.#moving = false;
+    const own = Object.fromEntries(Object.entries(change).filter(([key]) => KEYS.some((k) => k === key)));
+    const settled = (kept: Kept): Kept => ({ ...kept, ...own });
+    this.#past = this.#past.map(settled);
+    this.#future = this.#future.map(settled);
+  }
+
   undo(): boolean {
     return this.#go(this.#past, this.#future);
   }

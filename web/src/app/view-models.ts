@@ -33,7 +33,9 @@ export class ViewModels {
     const { doc } = this.#store.state;
     const others = otherResults(doc, this.#view.scene.extras);
     const { touchNote } = this;
-    return { doc, shown: this.#view.shown, others, canShape: (shown) => this.canShape(shown), touchNote };
+    const { reading } = this.#store.state;
+    const canShape = (shown: Shown) => this.canShape(shown);
+    return { doc, shown: this.#view.shown, others, reading, canShape, touchNote };
   }
 
   /** Where nothing can shake, the page says what stands in for the pulses. */
@@ -65,8 +67,9 @@ export class ViewModels {
     const report = this.#probing.report();
     if (!current || !report) return null;
     const vibrates = current.actuator !== null;
-    const options = { pinned: current.name === PIN, sounding: current.held, vibrates };
-    return cardModel(this.#view, this.#store.state.doc, report, options);
+    const { doc, reading } = this.#store.state;
+    const options = { pinned: current.name === PIN, sounding: current.held, vibrates, reading };
+    return cardModel(this.#view, doc, report, options);
   }
 
   legend(): LegendModel | null {

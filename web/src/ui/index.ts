@@ -34,6 +34,7 @@ export {
   cardTemplate,
   interiorText,
 } from "./probe-card";
+export { readingTemplate, withoutResults } from "./reading";
 export { COLUMNS, resultTableTemplate, type TableModel } from "./result-table";
 export { labelPositions, positionOf, valueAtPosition } from "./scale-axis";
 export { beaconTemplate, pathTemplate, sweepTemplate } from "./scan-forms";

@@ -2,12 +2,14 @@
 // The legend: drawn from the palette of the mesh, with its range, bands and map to be typed.
 import { html, type TemplateResult } from "lit";
 import type { Shown } from "../app/model-view";
+import type { Reading } from "../app/opening";
 import type { RangeMode } from "../app/presentation-doc";
 import { type ColourEffect, colourMaps, normalise, type Rgb } from "../present";
 import { type Palette, texelOf } from "../render";
 import type { Actions } from "./actions";
 import { axisTexts, numberText, unitText } from "./format";
 import { mapNote } from "./map-note";
+import { withoutResults } from "./reading";
 import { labelPositions, positionOf, valueAtPosition } from "./scale-axis";
 import { originText } from "./variant-list";
 
@@ -158,7 +160,13 @@ export function limitWord(shown: Pick<Shown, "limit" | "limitLabel">): string {
 const LEVEL_HINT =
   "Fewer triangles are drawn than the model has. What is read, heard and felt comes from all of them.";
 
-export function legendTemplate(model: LegendModel | null, actions: Actions): TemplateResult {
+export function legendTemplate(
+  model: LegendModel | null,
+  reading: Reading | null,
+  actions: Actions,
+): TemplateResult {
+  if (!model && reading)
+    return html`<aside class="legend empty" aria-label="Legend"><p>No colours. ${withoutResults(reading)}</p></aside>`;
   if (!model)
     return html`<aside class="legend empty" aria-label="Legend"><p>No result is seen. Choose one under <b>Colour</b>.</p></aside>`;
   const { shown, effect } = model;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The card under the pointer: every result with number and unit, node and element id.
 import { html, type TemplateResult } from "lit";
+import type { Reading } from "../app/opening";
 import type { ProbeReport } from "../app/probe-report";
 import { boundText, numberText, unitText } from "./format";
 import { type IconName, icon } from "./icons";
+import { withoutResults } from "./reading";
 
 export interface CardRow {
   /** Of the presentation. */
@@ -27,6 +29,8 @@ export interface CardModel {
   readonly rows: readonly CardRow[];
   readonly pinned: boolean;
   readonly lengthUnit: string | null;
+  /** Only the shape is there: there are no values. */
+  readonly reading: Reading | null;
   /** Null while nothing sounds. */
   readonly sounding: string | null;
 }
@@ -56,13 +60,18 @@ export function interiorText(report: ProbeReport): string {
 export function cardTemplate(model: CardModel, unpin: () => void): TemplateResult {
   const { report } = model;
   const node = report.nodeId === null ? "–" : String(report.nodeId);
-  return html`<table>
+  return html`${
+    model.reading
+      ? null
+      : html`<table>
       <thead><tr><th scope="col"></th><th scope="col">here</th><th scope="col">node ${node}</th></tr></thead>
       <tbody>${model.rows.map(rowTemplate)}</tbody>
-    </table>
+    </table>`
+  }
     <p class="card-place"><span>node <b>${node}</b></span><span>element <b>${report.elementId ?? "–"}</b></span>
       <span class="xyz">${report.point.map((v) => numberText(v, 5)).join(" · ")} ${unitText(model.lengthUnit)}</span></p>
     ${report.interior ? html`<p class="card-interior">${interiorText(report)}</p>` : null}
+    ${model.reading ? html`<p class="card-reading">No values. ${withoutResults(model.reading)}</p>` : null}
     ${model.sounding ? html`<p class="card-sound">${model.sounding}</p>` : null}
     ${model.pinned ? html`<button type="button" class="plain close" aria-label="let go of this place" @click=${unpin}>${icon("close")}</button>` : null}`;
 }
@@ -75,5 +84,6 @@ export function cardSentence(model: CardModel): string {
       : `${row.label} ${numberText(row.value)} ${unitText(row.unit)}${row.bound ? ` within ${boundText(row.bound)}` : ""}`,
   );
   const inside = model.report.interior ? "interior value, " : "";
+  if (model.reading) values.push(`no values, ${withoutResults(model.reading).toLowerCase()}`);
   return `${inside}node ${model.report.nodeId ?? "none"}, element ${model.report.elementId ?? "none"}: ${values.join(", ")}`;
 }

@@ -2,16 +2,20 @@
 // The assignment table: each result is seen, heard, felt, shapes the model, or is off.
 import { html, type TemplateResult } from "lit";
 import type { Shown } from "../app/model-view";
+import type { Reading } from "../app/opening";
 import { drivenBy, type PresentationDoc, type Slot } from "../app/presentation-doc";
 import type { SceneResult } from "../scene";
 import type { Actions } from "./actions";
 import { numberText, unitText } from "./format";
 import { type IconName, icon } from "./icons";
+import { withoutResults } from "./reading";
 
 export interface TableModel {
   readonly doc: PresentationDoc;
   readonly shown: readonly Shown[];
   readonly others: readonly { result: SceneResult; component: string }[];
+  /** Only the shape is there. */
+  readonly reading: Reading | null;
   /** Whether a result's quantity has displacement vectors that can shape the model. */
   canShape(shown: Shown): boolean;
   /** How touch reaches a person whose device cannot shake; "": it can, or nothing is to be felt. */
@@ -55,18 +59,22 @@ function row(model: TableModel, shown: Shown, actions: Actions): TemplateResult 
   </tr>`;
 }
 
+function tableTemplate(model: TableModel, actions: Actions): TemplateResult {
+  return html`<table class="assign">
+    <thead>
+      <tr><th scope="col">Result</th>
+        ${COLUMNS.map((column) => html`<th scope="col" title=${column.verb}>${column.word}</th>`)}
+        <th scope="col">Off</th></tr>
+    </thead>
+    <tbody>${model.shown.map((shown) => row(model, shown, actions))}</tbody>
+  </table>`;
+}
+
 export function resultTableTemplate(model: TableModel, actions: Actions): TemplateResult {
   return html`<section class="results" aria-label="Results and senses">
-    <table class="assign">
-      <thead>
-        <tr><th scope="col">Result</th>
-          ${COLUMNS.map((column) => html`<th scope="col" title=${column.verb}>${column.word}</th>`)}
-          <th scope="col">Off</th></tr>
-      </thead>
-      <tbody>${model.shown.map((shown) => row(model, shown, actions))}</tbody>
-    </table>
+    ${model.reading ? null : tableTemplate(model, actions)}
     ${model.touchNote ? html`<p class="hint touch-note">${model.touchNote}</p>` : null}
-    ${model.shown.length + model.others.length === 0 ? html`<p class="hint">This scene holds no results: only the shape can be looked at.</p>` : null}
+    ${model.shown.length + model.others.length === 0 ? html`<p class="hint">${model.reading ? withoutResults(model.reading) : "This scene holds no results: only the shape can be looked at."}</p>` : null}
     ${
       model.others.length === 0
         ? null

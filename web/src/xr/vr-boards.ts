@@ -120,13 +120,14 @@ export class VrBoards {
 
   /** Once a frame: `hover` is the button of the panel that a ray is on. */
   paint(hover: string | null, world: Matrix4, eye: Vector3): void {
-    const { probing, view, models } = this.#app;
+    const { probing, view, models, store } = this.#app;
+    const { reading } = store.state;
     if (this.#stale || hover !== this.#hover) this.#paintPanel(hover);
     const card = models.card();
-    const text = card ? JSON.stringify(card.report.results) : "";
+    const text = card ? JSON.stringify([card.report.nodeId, card.report.elementId, card.report.results]) : "";
     if (this.#stale || text !== this.#cardText) {
       this.#legend.paint((context) => {
-        paintVrLegend(context, models.legend());
+        paintVrLegend(context, models.legend(), reading);
         return [];
       });
       if (card) {

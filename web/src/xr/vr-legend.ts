@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Legend and probe card in the headset, painted from the same models as the page's.
+import { type Reading, stageText } from "../app/opening";
 import { type Palette, texelOf } from "../render";
 import {
   axisTexts,
@@ -11,6 +12,7 @@ import {
   positionOf,
   unitText,
   valueAtPosition,
+  withoutResults,
 } from "../ui";
 import { BOARD_FONT, BOARD_COLOURS as C, roundRect } from "./board";
 
@@ -42,9 +44,32 @@ function paintBar(
   }
 }
 
-export function paintVrLegend(context: Drawing, model: LegendModel | null): void {
+/** In the place of the scale. */
+function paintReading(context: Drawing, reading: Reading): void {
+  const { width } = LEGEND_SIZE;
+  context.fillStyle = reading.failed === null ? C.ink : C.alarm;
+  font(context, 38, 600);
+  context.fillText("Only the shape", 30, 50, width - 60);
+  context.fillStyle = C.ink;
+  font(context, 31);
+  context.fillText(withoutResults(reading), 30, 100, width - 60);
+  if (reading.failed !== null) return;
+  context.fillStyle = C.soft;
+  context.fillText(stageText(reading), 30, 146, width - 60);
+  context.fillStyle = C.line;
+  context.fillRect(30, 180, width - 60, 12);
+  context.fillStyle = C.accent;
+  context.fillRect(30, 180, ((width - 60) * reading.percent) / 100, 12);
+}
+
+export function paintVrLegend(
+  context: Drawing,
+  model: LegendModel | null,
+  reading: Reading | null = null,
+): void {
   const { width, height } = LEGEND_SIZE;
   roundRect(context, { x: 0, y: 0, width, height }, 28, C.panel);
+  if (!model && reading) paintReading(context, reading);
   if (!model) return;
   const { shown } = model;
   context.fillStyle = C.ink;
@@ -94,9 +119,14 @@ export function paintVrLegend(context: Drawing, model: LegendModel | null): void
 export function paintVrCard(context: Drawing, model: CardModel): void {
   const { width } = CARD_SIZE;
   const rows = model.rows.slice(0, 5);
-  const height = Math.min(CARD_SIZE.height, 92 + rows.length * 62);
+  const height = Math.min(CARD_SIZE.height, 92 + (model.reading ? 1 : rows.length) * 62);
   roundRect(context, { x: 0, y: CARD_SIZE.height - height, width, height }, 24, C.panel);
   let y = CARD_SIZE.height - height + 42;
+  if (model.reading) {
+    context.fillStyle = C.ink;
+    font(context, 35);
+    context.fillText(`No values. ${withoutResults(model.reading)}`, 26, y, width - 52);
+  }
   for (const row of rows) {
     context.fillStyle = C.soft;
     font(context, 35);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel in the headset: the assignment table, steps, deformation, and the ways home and out.
 import type { Shown } from "../app/model-view";
+import { type Reading, stageText } from "../app/opening";
 import { drivenBy } from "../app/presentation-doc";
 import type { ViewState } from "../app/store";
 import type { SceneStep } from "../scene";
-import { type Actions, COLUMNS, numberText, type PanelPage, stepText, unitText } from "../ui";
+import { type Actions, COLUMNS, numberText, type PanelPage, stepText, unitText, withoutResults } from "../ui";
 import { type BoardButton, type BoardRect, BOARD_COLOURS as C, roundRect } from "./board";
 import { button, type Ink, words } from "./panel-ink";
 import { paintPage, paintTabs } from "./panel-page";
@@ -116,6 +117,16 @@ export function paintPanel(
   return ink.buttons;
 }
 
+/** In the place of the table. */
+function paintReading(ink: Ink, reading: Reading): void {
+  words(ink, withoutResults(reading), 28, 110, 36, C.ink, { bold: true });
+  const text = reading.failed ?? stageText(reading);
+  const lines = text.match(/.{1,60}(?:\s|$)|.{60}/g) ?? [];
+  for (const [i, line] of lines.slice(0, 8).entries()) {
+    words(ink, line.trim(), 28, 164 + 42 * i, 30, C.soft, { width: PANEL_WIDTH - 56 });
+  }
+}
+
 function paintResults(ink: Ink, model: PanelModel, actions: Actions, extras: PanelExtras): void {
   words(ink, "Result", 28, 38, 26, C.soft);
   COLUMNS.forEach(({ word }, i) => {
@@ -126,6 +137,7 @@ function paintResults(ink: Ink, model: PanelModel, actions: Actions, extras: Pan
     tableRow(ink, model, shown, 66 + i * (ROW + 4), actions);
   });
   const { state } = model;
+  if (state.reading) paintReading(ink, state.reading);
   const top = PAGE_HEIGHT - 3 * (ROW + 14) - 14;
   const line = (i: number) => top + i * (ROW + 14);
   const many = model.steps.length > 1;

@@ -59,3 +59,17 @@ test("steps_sections_and_messages_are_nothing_to_undo_and_a_new_change_ends_redo
 
   expect(undo.canRedo).toBe(false);
 });
+
+test("what_came_by_itself_is_not_undone_and_stays_through_undo_and_redo", () => {
+  const { store, undo, at } = made();
+  at(1, { hidden: [1] });
+  at(5, { edges: false });
+  undo.undo();
+  const doc = { ...store.state.doc, title: "results" };
+  undo.settle({ doc, step: 2, reading: null });
+  expect([store.state.doc, store.state.step, undo.canUndo, undo.canRedo]).toEqual([doc, 2, true, true]);
+  expect(undo.redo()).toBe(true);
+  expect([store.state.doc, store.state.edges]).toEqual([doc, false]);
+  expect([undo.undo(), undo.undo(), undo.undo()]).toEqual([true, true, false]);
+  expect([store.state.doc, store.state.hidden]).toEqual([doc, []]);
+});

@@ -19,6 +19,7 @@ import { listeningTests } from "./listening.mjs";
 import { lodTests } from "./lod.mjs";
 import { lookTests } from "./look.mjs";
 import { nativeTests } from "./native.mjs";
+import { openingTests } from "./opening.mjs";
 import { readScene } from "./oracle.mjs";
 import { packedTests } from "./packed.mjs";
 import { programTests } from "./program.mjs";
@@ -78,6 +79,7 @@ for (const { name, run, skip } of [
   ...timeTests,
   ...keepTests,
   ...shareTests,
+  ...openingTests,
   ...accessTests,
   ...contrastTests,
   ...smallTests,

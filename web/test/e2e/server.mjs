@@ -14,12 +14,15 @@ const TYPES = {
   ".glb": "model/gltf-binary",
 };
 
-/** `files`: path -> bytes, looked at before dist/; or bytes of which what comes after `hold` waits for `free`. */
+/** `files`: path -> bytes, looked at before dist/; or bytes of which what comes after `hold` waits for `free`;
+ * or a function that answers. */
 export async function serve(files = new Map()) {
   const server = createServer(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url, "http://x").pathname).slice(1) || "index.html";
     try {
-      const bytes = files.get(path) ?? (await readFile(join(DIST, normalize(path))));
+      const given = files.get(path);
+      if (typeof given === "function") return await given(request, response);
+      const bytes = given ?? (await readFile(join(DIST, normalize(path))));
       response.writeHead(200, {
         "Content-Type": TYPES[extname(path)] ?? "application/octet-stream",
         "Content-Security-Policy":

@@ -26,6 +26,7 @@ export async function frames(page, count) {
 export async function enter(browser, url, options = {}) {
   const opened = await openPage(browser, url, { ...SMALL, ...options });
   const { page } = opened;
+  if (options.early) await page.locator("button.vr:not([disabled])").waitFor();
   await page.evaluate(() => {
     const request = navigator.xr.requestSession.bind(navigator.xr);
     navigator.xr.requestSession = async (...given) => {

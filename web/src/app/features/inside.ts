@@ -9,6 +9,7 @@ import {
   type PanelPage,
   type Section,
   unitText,
+  withoutResults,
 } from "../../ui";
 import type { App } from "../app";
 import { InsideClient, isGivenUp } from "../inside-client";
@@ -62,6 +63,8 @@ export class Inside implements Feature, InsideActions {
   async #read(): Promise<void> {
     const at = this.#place.map((text) => (text.trim() === "" ? Number.NaN : Number(text.replace(",", "."))));
     if (at.some((v) => !Number.isFinite(v))) return this.#say("Type three numbers: x, y and z.", null);
+    const { reading } = this.#app.store.state;
+    if (reading) return this.#say(withoutResults(reading), null);
     try {
       const fields = askedFields(this.#app);
       const answer = await this.#client?.point("typed", at, fields, this.#app.store.state.step, null);

@@ -8,18 +8,18 @@ import type { Feature } from "./feature";
 export class Levels implements Feature {
   readonly id = "levels";
   readonly #app: App;
-  readonly #counts: readonly number[];
   readonly #all: number;
   readonly #coming = new Set<number>();
 
   constructor(app: App) {
     this.#app = app;
-    const { extras, parts } = app.view.scene;
-    this.#counts = (extras.levels ?? []).map((level) => level.triangles);
-    this.#all = parts.reduce((sum, part) => sum + part.indices.length / 3, 0);
-    if (this.#counts.length === 0) return;
+    this.#all = app.view.scene.parts.reduce((sum, part) => sum + part.indices.length / 3, 0);
     app.atEnd(app.stage.onFrame(() => this.#choose()));
     app.atEnd(app.stage.onPicture(() => this.#draw(levelWithin(app.mostTriangles, this.#all, this.#counts))));
+  }
+
+  get #counts(): readonly number[] {
+    return (this.#app.view.scene.extras.levels ?? []).map((level) => level.triangles);
   }
 
   #choose(): void {

@@ -3,6 +3,7 @@
 import { findNode } from "../../probe";
 import type { App } from "../app";
 import { decodeView, encodeView, LINKED, snapshotOf } from "../link";
+import type { ViewState } from "../store";
 import { Undo } from "../undo";
 import type { Feature } from "./feature";
 
@@ -18,6 +19,8 @@ export class Links implements Feature {
   #written = "";
   /** While a view is being brought in, the address stays as it is. */
   #settled = false;
+  /** What was asked for while only the shape was there. */
+  #asked: Partial<ViewState> = {};
 
   constructor(app: App) {
     this.#app = app;
@@ -52,12 +55,41 @@ export class Links implements Feature {
   show(value: unknown): void {
     const { store, stage, view } = this.#app;
     const { state, camera, node } = snapshotOf(value);
-    const known = view.scene.extras.steps.some((s) => s.id === state.step);
-    const { step, ...rest } = state;
-    store.set(known && step !== undefined ? { ...rest, step } : rest);
+    const { step, doc, ...rest } = state;
+    if (view.isPreview) {
+      this.#asked = { ...this.#asked, ...state };
+      store.set(rest);
+    } else store.set({ ...rest, ...(doc && { doc }), ...this.#known(step) });
     if (camera) stage.orbit.place(camera);
     const place = node === null ? null : findNode(view.scene.parts, node);
     if (place) this.#app.mark(place);
+  }
+
+  #known(step: number | undefined): Partial<ViewState> {
+    const isKnown = this.#app.view.scene.extras.steps.some((s) => s.id === step);
+    return isKnown && step !== undefined ? { step } : {};
+  }
+
+  /** Results have come for the shape that is shown: `first` is how they want to be seen, `before` how the shape did. What
+   * was asked for comes first, and what the person has done meanwhile stays. */
+  settle(first: ViewState, before: ViewState): void {
+    const { state } = this.#app.store;
+    const { doc, step, deformMode, typedFactor, ghost, person, problem } = first;
+    const isFree = state.deformMode === "auto" && this.#asked.deformMode === undefined;
+    this.#undo.settle({
+      doc: this.#asked.doc ?? doc,
+      step,
+      ...this.#known(this.#asked.step),
+      ...(state.step !== before.step && this.#known(state.step)),
+      ...(isFree && { deformMode, typedFactor }),
+      ...(!state.ghost && this.#asked.ghost === undefined && { ghost }),
+      ...(problem !== null && { problem }),
+      person,
+      reading: null,
+    });
+    this.#asked = {};
+    this.#settled = true;
+    this.later();
   }
 
   /** Takes the view from the address, if it has one. */
@@ -72,7 +104,7 @@ export class Links implements Feature {
         this.#app.store.set({ problem: `The view in this link cannot be shown: ${reason}` });
       }
     }
-    this.#settled = true;
+    this.#settled = !this.#app.view.isPreview;
   }
 
   /** The address will follow. */

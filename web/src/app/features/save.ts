@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What leaves the page as a file: picture, tables.
-import { type Section, saveTemplate } from "../../ui";
+import { type Section, saveTemplate, withoutResults } from "../../ui";
 import type { App } from "../app";
 import { takePicture } from "../picture";
 import { fileStem, saveFile } from "../save";
@@ -29,6 +29,8 @@ export class Save implements Feature {
         saveFile(`${stem}.png`, await takePicture(this.#app));
         return;
       }
+      const { reading } = this.#app.store.state;
+      if (reading) throw new Error(withoutResults(reading));
       if (what === "presentation") {
         const { doc } = this.#app.store.state;
         const { doc: _, ...page } = this.#app.feature<Links>("links").view();

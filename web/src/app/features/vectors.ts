@@ -43,7 +43,6 @@ export class Vectors implements Feature, VectorFormActions {
   readonly id = "vectors";
   readonly #app: App;
   readonly #glyphs: ArrowGlyphs;
-  readonly #results: readonly SceneResult[];
   #chosen = "";
   #length = 8;
   #density: Density = "some";
@@ -60,9 +59,12 @@ export class Vectors implements Feature, VectorFormActions {
   constructor(app: App) {
     this.#app = app;
     this.#glyphs = new ArrowGlyphs(app.view.model.group);
-    this.#results = app.view.scene.extras.results.filter(canBeDrawn);
     app.atEnd(app.stage.onFrame(() => this.#check()));
     app.atEnd(() => this.#glyphs.dispose());
+  }
+
+  get #results(): readonly SceneResult[] {
+    return this.#app.view.scene.extras.results.filter(canBeDrawn);
   }
 
   choose(id: string): void {
