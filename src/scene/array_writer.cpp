@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace feelem {
 namespace {
@@ -47,16 +48,15 @@ void ArrayWriter::begin(const ArraySpec& spec, int component_type) {
     accessor.count = spec.count;
     accessor.steps = spec.steps;
     document_->accessors.push_back(std::move(accessor));
-    digest_ = std::make_unique<Sha256>();
+    digest_ = std::make_shared<Sha256>();
     low_.fill(std::numeric_limits<float>::infinity());
     high_.fill(-std::numeric_limits<float>::infinity());
-    block_.reserve(kBlock);
 }
 
 int ArrayWriter::end(const ArraySpec& spec, Packing mode) {
     gltf::View& view = document_->views.back();
     gltf::Accessor& accessor = document_->accessors.back();
-    if (packs_ && !block_.empty()) {
+    if (packs_ && used_ > 0) {
         write_packed(spec, mode);
     } else {
         flush();
@@ -66,7 +66,8 @@ int ArrayWriter::end(const ArraySpec& spec, Packing mode) {
         accessor.min.assign(low_.begin(), low_.begin() + spec.components);
         accessor.max.assign(high_.begin(), high_.begin() + spec.components);
     }
-    digests_.push_back({spec.name, digest_->hex()});
+    digests_.push_back({spec.name, {}});
+    running_.push_back(std::move(digest_));
     return static_cast<int>(document_->accessors.size()) - 1;
 }
 
@@ -75,48 +76,64 @@ void ArrayWriter::write_packed(const ArraySpec& spec, Packing mode) {
     const int type = document_->accessors.back().component_type;
     const std::size_t width = type == gltf::kUnsignedShort ? 2 : 4;
     PackedView packed{buffer_, file_->size(), 0, spec.count, width * spec.components, mode, {}};
+    const std::span<const std::byte> block = used();
     std::vector<std::byte> bytes;
     if (mode != Packing::Attributes) {
-        bytes = pack_indices(numbers_of(block_, width), mode);
+        bytes = pack_indices(numbers_of(block, width), mode);
         packed.bytes = bytes.size();
         // Triangles whose corners it would turn: as a plain list.
-        if (mode == Packing::Triangles && !comes_back(bytes, packed, block_)) {
+        if (mode == Packing::Triangles && !comes_back(bytes, packed, block)) {
             packed.mode = Packing::Indices;
-            bytes = pack_indices(numbers_of(block_, width), packed.mode);
+            bytes = pack_indices(numbers_of(block, width), packed.mode);
         }
-    } else if (fits_filter(block_, spec.grid)) {
-        std::vector<float> values(block_.size() / 4);
-        std::memcpy(values.data(), block_.data(), block_.size());
+    } else if (fits_filter(block, spec.grid)) {
+        std::vector<float> values(block.size() / 4);
+        std::memcpy(values.data(), block.data(), block.size());
         const std::vector<std::uint32_t> numbers = with_one_exponent(values, spec.grid);
         bytes = pack_rows(std::as_bytes(std::span(numbers)), packed.stride);
         packed.filter = PackingFilter::Exponential;
     } else {
-        bytes = pack_rows(block_, packed.stride);
+        bytes = pack_rows(block, packed.stride);
     }
     packed.bytes = bytes.size();
     // What is promised is what comes out again, bit for bit.
-    if (!comes_back(bytes, packed, block_))
+    if (!comes_back(bytes, packed, block))
         throw Error(Code::BadStructure, "", spec.name + " does not survive its packing");
-    digest_->add(block_);
+    digest_->add(block);
     file_->write(bytes);
-    view.bytes = block_.size();
+    view.bytes = block.size();
     view.offset = (document_->unpacked_bytes + 3) / 4 * 4;
     document_->unpacked_bytes = view.offset + view.bytes;
     view.packed = packed;
-    block_.clear();
+    used_ = 0;
 }
 
 void ArrayWriter::put_steps(std::span<const float> row, const gltf::Steps& steps) {
     for (const float value : row) {
         const auto whole = static_cast<std::int32_t>(steps.number(static_cast<double>(value)));
-        put(std::as_bytes(std::span(&whole, 1)));
+        put(&whole, sizeof whole);
     }
 }
 
+void ArrayWriter::make_room() {
+    // A packed array is packed as a whole.
+    if (!packs_) flush();
+    block_.resize(packs_ ? std::max(kBlock, 2 * block_.size()) : kBlock);
+}
+
 void ArrayWriter::flush() {
-    digest_->add(block_);
-    file_->write(block_);
-    block_.clear();
+    if (used_ == 0) return;
+    block_.resize(used_);
+    file_->write_behind(std::exchange(block_, {}), digest_);
+    used_ = 0;
+}
+
+std::vector<Digest>& ArrayWriter::digests() {
+    if (file_ != nullptr) file_->settle();
+    const std::size_t first = digests_.size() - running_.size();
+    for (std::size_t i = 0; i < running_.size(); ++i) digests_[first + i].sha256 = running_[i]->hex();
+    running_.clear();
+    return digests_;
 }
 
 int ArrayWriter::blob(std::span<const std::byte> bytes) {

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,7 +67,7 @@ public:
             if (spec.steps)
                 put_steps(std::span(row).first(spec.components), *spec.steps);
             else
-                put(std::as_bytes(std::span(row).first(spec.components)));
+                put(row.data(), sizeof(float) * spec.components);
         }
         return end(spec, Packing::Attributes);
     }
@@ -78,9 +80,9 @@ public:
             const std::uint32_t number = fill(static_cast<std::size_t>(i));
             const auto narrow = static_cast<std::uint16_t>(number);
             if (is_short)
-                put(std::as_bytes(std::span(&narrow, 1)));
+                put(&narrow, sizeof narrow);
             else
-                put(std::as_bytes(std::span(&number, 1)));
+                put(&number, sizeof number);
         }
         return end(
             spec,
@@ -92,18 +94,22 @@ public:
     /// A file as it is (a picture): a bufferView without accessor; its index.
     int blob(std::span<const std::byte> bytes);
 
-    std::vector<Digest>& digests() noexcept { return digests_; }
+    /// Of all arrays so far. Their files are written, or gone.
+    std::vector<Digest>& digests();
 
 private:
     void begin(const ArraySpec& spec, int component_type);
     int end(const ArraySpec& spec, Packing mode);
     void write_packed(const ArraySpec& spec, Packing mode);
     void put_steps(std::span<const float> row, const gltf::Steps& steps);
-    void put(std::span<const std::byte> bytes) {
-        if (!packs_ && block_.size() + bytes.size() > kBlock) flush();
-        block_.insert(block_.end(), bytes.begin(), bytes.end());
+    void put(const void* value, std::size_t size) {
+        if (used_ + size > block_.size()) make_room();
+        std::memcpy(block_.data() + used_, value, size);
+        used_ += size;
     }
+    void make_room();
     void flush();
+    std::span<const std::byte> used() const { return std::span(block_).first(used_); }
 
     static constexpr std::size_t kBlock = 1u << 16;
     gltf::Document* document_;
@@ -111,7 +117,9 @@ private:
     bool packs_ = false;
     ScratchFile* file_ = nullptr;
     std::vector<std::byte> block_;
-    std::unique_ptr<Sha256> digest_;
+    std::size_t used_ = 0;  ///< Of the block.
+    std::shared_ptr<Sha256> digest_;
+    std::vector<std::shared_ptr<Sha256>> running_;  ///< Of digests_, from the first that has no text yet.
     std::array<float, 3> low_{}, high_{};
     std::vector<Digest> digests_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scratch_file.hpp"
 
+#include "base/parallel.hpp"
+
 #include "feelem/error.hpp"
 
 #include <fcntl.h>
@@ -36,21 +38,46 @@ ScratchFile::ScratchFile(std::string path, Kind kind) : path_(std::move(path)) {
 }
 
 ScratchFile::~ScratchFile() {
+    try {
+        behind_.wait();
+    } catch (...) {
+        // Whoever is interested has asked before.
+    }
     if (file_ != nullptr) std::fclose(file_);
 }
 
-void ScratchFile::write(std::span<const std::byte> bytes) {
+void ScratchFile::put(std::span<const std::byte> bytes) {
     if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail("write");
+}
+
+void ScratchFile::write(std::span<const std::byte> bytes) {
+    settle();
+    put(bytes);
     size_ += bytes.size();
+}
+
+void ScratchFile::write_behind(std::vector<std::byte> bytes, std::shared_ptr<Sha256> digest) {
+    size_ += bytes.size();
+    auto task = [this, bytes = std::move(bytes), digest = std::move(digest)] {
+        if (digest) digest->add(bytes);
+        put(bytes);
+    };
+    if (thread_count() < 2) return task();
+    behind_.add(std::move(task));
+}
+
+void ScratchFile::settle() {
+    behind_.wait();
 }
 
 void ScratchFile::pad_to(std::uint64_t multiple) {
     constexpr std::array<std::byte, 16> kZeros{};
     const std::uint64_t rest = size_ % multiple;
-    if (rest != 0) write(std::span(kZeros).first(static_cast<std::size_t>(multiple - rest)));
+    if (rest != 0) write_behind({kZeros.begin(), kZeros.begin() + (multiple - rest)}, nullptr);
 }
 
 void ScratchFile::copy_to(AtomicFile& file) {
+    settle();
     if (std::fseek(file_, 0, SEEK_SET) != 0) fail("read back");
     std::vector<std::byte> block(1u << 18);
     std::uint64_t left = size_;
@@ -63,6 +90,7 @@ void ScratchFile::copy_to(AtomicFile& file) {
 }
 
 void ScratchFile::finish() {
+    settle();
     if (std::fflush(file_) != 0 || fsync(fileno(file_)) != 0) fail("write");
 }
 
