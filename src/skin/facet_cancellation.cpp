@@ -38,6 +38,8 @@ constexpr std::size_t kBytesAtOnce = sizeof(std::uint64_t);
 constexpr std::size_t kCandidateChunk = 4096;
 
 constexpr std::size_t kMostFacets = 6;
+/// Outer facets that are written together.
+constexpr std::size_t kRefsAtOnce = 4096;
 
 /// Calls visit(eight bytes, first, last) for all bytes, a few at a time; the last ones may be fewer.
 template <class Visit>
@@ -140,22 +142,24 @@ void collect(
     std::size_t count = 0;
     for_each_eight(outer_bits, [&](std::uint64_t eight, std::size_t, std::size_t) { count += ones(eight); });
     reserve_big(found.outer, count);
-    std::array<FacetRef, kBytesAtOnce * kMostFacets> here;
+    std::vector<FacetRef> here(kRefsAtOnce + kBytesAtOnce * kMostFacets);
+    std::size_t end = 0;
+    const auto pass_on = [&] {
+        found.outer.insert(found.outer.end(), here.begin(), here.begin() + static_cast<std::ptrdiff_t>(end));
+        end = 0;
+    };
     for (const SolidBlock& solids : blocks) {
         const auto bits_of = outer_bits.subspan(solids.first_element, solids.block->ids.size());
         for_each_eight(bits_of, [&](std::uint64_t eight, std::size_t first, std::size_t last) {
-            if (eight == 0) return;
-            std::size_t end = 0;
-            for (std::size_t i = first; i < last; ++i) {
+            for (std::size_t i = eight == 0 ? last : first; i < last; ++i) {
                 for (unsigned bits = bits_of[i]; bits != 0; bits &= bits - 1) {
                     const auto facet = static_cast<std::uint8_t>(std::countr_zero(bits));
                     here[end++] = {static_cast<std::uint32_t>(i), solids.index, facet};
                 }
             }
-            found.outer.insert(
-                found.outer.end(), here.begin(), here.begin() + static_cast<std::ptrdiff_t>(end)
-            );
+            if (end >= kRefsAtOnce) pass_on();
         });
+        pass_on();
     }
 }
 

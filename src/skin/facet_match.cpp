@@ -239,6 +239,12 @@ void FacetTable::judge_specials(std::vector<SpecialOwner> owners, OuterFacets& f
 std::uint64_t count_quads_facing_triangles(
     const Mesh& mesh, std::span<const FacetRef> outer, bool may_repeat
 ) {
+    const bool has_triangles =
+        may_repeat || std::ranges::any_of(mesh.blocks, [](const ElementBlock& block) {
+            return element_row(block.type).dimension == 3 && block.type != ElementType::Hex8 &&
+                   block.type != ElementType::Hex20 && block.type != ElementType::Hex27;
+        });
+    if (!has_triangles) return 0;
     const auto is_triangle = [&](FacetRef ref) { return has_three_corners(mesh, ref, may_repeat); };
     const auto triangle_count = static_cast<std::size_t>(std::ranges::count_if(outer, is_triangle));
     if (triangle_count == 0 || triangle_count == outer.size()) return 0;

@@ -74,10 +74,10 @@ void add_hashes(
     for_each_run(solids, set_aside, range, [&](ElementRun run, std::size_t) {
         hash_facets(run, FacetHashes::Signed, batch);
         const std::size_t count = run.count * solids.row->facet_count;
-        const auto fetch = [&](std::size_t i) { __builtin_prefetch(&memory[batch.lowest[i]], 1); };
-        for (std::size_t i = 0; i < std::min(count, kFacetsAhead); ++i) fetch(i);
+        if (are_far_apart(batch, count)) {
+            for (std::size_t i = 0; i < count; ++i) __builtin_prefetch(&memory[batch.lowest[i]], 1);
+        }
         for (std::size_t i = 0; i < count; ++i) {
-            if (i + kFacetsAhead < count) fetch(i + kFacetsAhead);
             collapsed += batch.hashes[i] == 0 ? 1U : 0U;  // Adding 0 does no harm.
             sums.add(batch.lowest[i], batch.hashes[i]);
         }
@@ -87,6 +87,17 @@ void add_hashes(
 }
 
 }  // namespace
+
+bool are_far_apart(const FacetBatch& batch, std::size_t count) {
+    constexpr std::size_t kStep = 16;
+    constexpr std::uint32_t kNear = 1U << 14U;
+    std::uint32_t lowest = ~std::uint32_t{0}, highest = 0;
+    for (std::size_t i = 0; i < count; i += kStep) {
+        lowest = std::min(lowest, batch.lowest[i]);
+        highest = std::max(highest, batch.lowest[i]);
+    }
+    return highest - lowest > kNear;
+}
 
 FacetSums sum_facets(
     const Mesh& mesh, const std::vector<SolidBlock>& blocks, const std::vector<bool>& set_aside

@@ -16,6 +16,10 @@ namespace feelem {
 /// How many facets before its turn what stands at a facet's node is fetched from memory.
 inline constexpr std::size_t kFacetsAhead = 24;
 
+/// Whether the nodes of a batch lie so far apart that their sums have to be asked for; neighbours stay in the
+/// cache.
+bool are_far_apart(const FacetBatch& batch, std::size_t count);
+
 struct FacetSums {
     ZeroedArray<std::uint64_t>
         at_nodes;  ///< Of the signed hashes of the facets of which it is the smallest corner.

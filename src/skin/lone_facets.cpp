@@ -11,6 +11,7 @@
 
 #include "base/parallel.hpp"
 #include "skin/facet_batch.hpp"
+#include "skin/rest_batch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,24 +22,15 @@
 namespace feelem {
 namespace {
 
-/// Bits of facets seen at a node, and of their rest; all bits: not to be settled.
-constexpr std::uint64_t kRestSeen = std::uint64_t{1} << 63U;
-constexpr std::uint64_t kNotSettled = ~std::uint64_t{0};
-
-/// Four bits below kRestSeen.
-std::uint64_t bits_of(std::uint64_t hash) {
-    return std::uint64_t{1} << (hash % 16) | std::uint64_t{1} << (16 + (hash >> 4U) % 16) |
-           std::uint64_t{1} << (32 + (hash >> 8U) % 16) | std::uint64_t{1} << (48 + (hash >> 12U) % 8);
-}
-
 /// What nodes have seen, for one thread alone.
 class OwnSeen {
 public:
     explicit OwnSeen(std::uint64_t* seen) : seen_(seen) {}
-    void add(std::uint32_t node, std::uint64_t bits, std::uint64_t rest_seen) {
-        const std::uint64_t before = seen_[node];
-        const bool again = bits != 0 && (before & bits) == bits;
-        seen_[node] = before | bits | rest_seen | (0 - std::uint64_t{again});
+    /// `bits`: of RestBatch::seen.
+    void add(std::uint32_t node, std::uint64_t bits) {
+        const std::uint64_t before = seen_[node], of_corners = bits & ~kRestSeen;
+        const bool again = of_corners != 0 && (before & of_corners) == of_corners;
+        seen_[node] = before | bits | (0 - std::uint64_t{again});
     }
 
 private:
@@ -54,13 +46,13 @@ public:
     ~SharedSeen() {
         for (const Line& line : lines_) pass_on(line);
     }
-    void add(std::uint32_t node, std::uint64_t bits, std::uint64_t rest_seen) {
+    void add(std::uint32_t node, std::uint64_t bits) {
         Line& line = lines_[node % lines_.size()];
         if (line.node != node) {
             pass_on(line);
             line = {0, node};
         }
-        OwnSeen(&line.bits).add(0, bits, rest_seen);
+        OwnSeen(&line.bits).add(0, bits);
     }
 
 private:
@@ -93,42 +85,35 @@ void look_for_rests(
 ) {
     Seen seen(memory);
     FacetBatch batch;
+    RestBatch rests;
     const std::size_t facet_count = solids.row->facet_count;
+    const unsigned all_facets = (1U << facet_count) - 1;
     for_each_run(solids, set_aside, range, [&](ElementRun run, std::size_t first) {
         hash_facets(run, FacetHashes::Both, batch);
         const std::size_t count = run.count * facet_count;
-        std::size_t at = 0;
-        for (std::size_t e = 0; e < run.count; ++e) {
-            std::uint64_t bits = 0;
-            for (std::size_t f = 0; f < facet_count; ++f, ++at) {
-                if (at + kFacetsAhead < count) {
-                    __builtin_prefetch(&sums[batch.lowest[at + kFacetsAhead]]);
-                    __builtin_prefetch(&memory[batch.lowest[at + kFacetsAhead]], 1);
-                }
-                const std::uint64_t hash = batch.hashes[at], rest = sums[batch.lowest[at]];
-                if (rest == 0 || hash == 0) continue;
-                const bool is_rest = hash == rest, is_positive = hash < kRestSeen;
-                bits |= std::uint64_t{is_rest} << f;
-                const std::uint64_t kept =
-                    0 - std::uint64_t{static_cast<unsigned>(is_rest) | static_cast<unsigned>(is_positive)};
-                seen.add(batch.lowest[at], bits_of(batch.corners[at]) & kept, std::uint64_t{is_rest} << 63U);
+        if (are_far_apart(batch, count)) {
+            for (std::size_t i = 0; i < count; ++i) {
+                __builtin_prefetch(&sums[batch.lowest[i]]);
+                __builtin_prefetch(&memory[batch.lowest[i]], 1);
             }
-            outer_bits[solids.first_element + first + e] = static_cast<std::uint8_t>(bits);
+        }
+        compare_with_rests(batch, count, sums, rests);
+        for (std::size_t i = 0; i < count; ++i) seen.add(batch.lowest[i], rests.seen[i]);
+        for (std::size_t e = 0; e < run.count; ++e) {
+            const std::size_t bit = e * facet_count;
+            const unsigned two_bytes = rests.is_rest[bit / 8] | unsigned{rests.is_rest[bit / 8 + 1]} << 8U;
+            outer_bits[solids.first_element + first + e] =
+                static_cast<std::uint8_t>((two_bytes >> (bit % 8)) & all_facets);
         }
     });
 }
 
-/// The nodes for which is_marked says so.
-template <class IsMarked>
-NodeRanks marked(std::size_t nodes, IsMarked is_marked) {
+/// Ranks of the nodes whose bits `find(first, words)` sets, from node `first` on.
+template <class Find>
+NodeRanks marked(std::size_t nodes, Find find) {
     std::vector<std::uint64_t> words((nodes + 63) / 64);
     parallel_chunks(words.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            std::uint64_t word = 0;
-            const std::size_t end = std::min<std::size_t>(nodes - i * 64, 64);
-            for (std::size_t k = 0; k < end; ++k) word |= std::uint64_t{is_marked(i * 64 + k)} << k;
-            words[i] = word;
-        }
+        find(first * 64, std::span(words).subspan(first, last - first));
     });
     return NodeRanks(std::move(words));
 }
@@ -136,7 +121,16 @@ NodeRanks marked(std::size_t nodes, IsMarked is_marked) {
 }  // namespace
 
 NodeRanks nodes_with_a_rest(std::span<const std::uint64_t> sums) {
-    return marked(sums.size(), [&](std::size_t node) { return sums[node] != 0; });
+    return marked(sums.size(), [&](std::size_t first, std::span<std::uint64_t> words) {
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const auto here =
+                sums.subspan(first + i * 64, std::min<std::size_t>(sums.size() - first - i * 64, 64));
+            std::uint64_t any = 0;
+            for (const std::uint64_t sum : here) any |= sum;
+            for (std::size_t k = 0; any != 0 && k < here.size(); ++k)
+                words[i] |= std::uint64_t{here[k] != 0} << k;
+        }
+    });
 }
 
 bool are_mostly_rests(std::span<const std::uint64_t> sums) {
@@ -166,8 +160,8 @@ NodeRanks settle_lone_facets(
                       : look_for_rests<OwnSeen>(solids, set_aside, range, sums, seen.data(), outer_bits);
         });
     }
-    return marked(sums.size(), [&](std::size_t node) {
-        return sums[node] != 0 && (seen[node] < kRestSeen || seen[node] == kNotSettled);
+    return marked(sums.size(), [&](std::size_t first, std::span<std::uint64_t> words) {
+        find_unsettled(sums.subspan(first), seen.span().subspan(first), words);
     });
 }
 
