@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compact_skin.hpp"
 
-#include "base/huge_pages.hpp"
+#include "model/element_table.hpp"
 #include "model/vector.hpp"
 #include "skin/node_buckets.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
 
 namespace bench {
 namespace {
@@ -28,43 +33,129 @@ void for_each_triangle(const Outline& facet, Triangle triangle) {
     if (facet.count == 4) triangle(inner[0], inner[2], inner[3]);
 }
 
+/// Facets as they are most often, quads of four corners, and all others.
+class FacetNodes {
+public:
+    explicit FacetNodes(const feelem::Mesh& mesh) : mesh_(mesh) {
+        for (const feelem::ElementBlock& block : mesh.blocks) {
+            const feelem::ElementRow& row = feelem::element_row(block.type);
+            blocks_.push_back({block.nodes.data(), row.node_count, row.facets.data()});
+        }
+    }
+
+    void fetch(feelem::FacetRef ref) const {
+        const Block& block = blocks_[ref.block];
+        const NodeIndex* nodes = block.nodes + ref.position * block.width;
+        __builtin_prefetch(nodes);
+        if (block.width > 8) __builtin_prefetch(nodes + block.width - 1);
+    }
+
+    /// Calls quad with the corners of a quad, else other with the outline.
+    template <class Quad, class Other>
+    void visit(feelem::FacetRef ref, Quad quad, Other other) const {
+        const Block& block = blocks_[ref.block];
+        const feelem::FacetRow& row = block.facets[ref.facet];
+        if (row.type != feelem::ElementType::Quad4) return other(outline_of(mesh_, ref));
+        const NodeIndex* nodes = block.nodes + ref.position * block.width;
+        const NodeIndex a = nodes[row.nodes[0]], b = nodes[row.nodes[1]], c = nodes[row.nodes[2]],
+                        d = nodes[row.nodes[3]];
+        if (a == b || b == c || c == d || d == a || a == c || b == d) return other(outline_of(mesh_, ref));
+        quad(a, b, c, d);
+    }
+
+private:
+    struct Block {
+        const NodeIndex* nodes;
+        std::size_t width;
+        const feelem::FacetRow* facets;
+    };
+    const feelem::Mesh& mesh_;
+    std::vector<Block> blocks_;
+};
+
+/// Which nodes facets use, and into how many triangles they are cut.
+struct Used {
+    feelem::ZeroedArray<std::uint8_t> nodes;
+    std::size_t triangles = 0;
+};
+
+Used used_by(const FacetNodes& nodes, std::size_t node_count, std::span<const feelem::FacetRef> facets) {
+    constexpr std::size_t kAhead = 16;
+    Used used{feelem::ZeroedArray<std::uint8_t>(node_count)};
+    const auto use = [&](NodeIndex node) { used.nodes[raw(node)] = 1; };
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+        if (i + kAhead < facets.size()) nodes.fetch(facets[i + kAhead]);
+        nodes.visit(
+            facets[i],
+            [&](NodeIndex a, NodeIndex b, NodeIndex c, NodeIndex d) {
+                use(a), use(b), use(c), use(d);
+                used.triangles += 2;
+            },
+            [&](const Outline& facet) {
+                for (std::size_t k = 0; k < facet.count; ++k) {
+                    use(facet.corners[k]);
+                    if (facet.middles[k] != kNoNode) use(facet.middles[k]);
+                }
+                for_each_triangle(facet, [&](NodeIndex, NodeIndex, NodeIndex) { ++used.triangles; });
+            }
+        );
+    }
+    return used;
+}
+
+/// Of nodes whose byte is 1: bits are not set one by one, since those next to each other wait for each other.
+feelem::NodeRanks ranks_of(const std::uint8_t* used, std::size_t nodes) {
+    std::vector<std::uint64_t> words((nodes + 63) / 64);
+    for (std::size_t i = 0; i < nodes; i += 8) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, used + i, std::min<std::size_t>(nodes - i, 8));
+        if (eight == 0) continue;
+        // The lowest bit of each byte becomes a bit of the top byte.
+        words[i / 64] |= ((eight * 0x0102'0408'1020'4080ULL) >> 56U) << (i % 64);
+    }
+    return feelem::NodeRanks(std::move(words));
+}
+
 }  // namespace
 
 CompactSkin compact(
     const feelem::Mesh& mesh, std::span<const feelem::FacetRef> facets, std::span<const float> values
 ) {
-    CompactSkin skin;
-    feelem::NodeRanks ranks(mesh.node_count());
-    // As many as there may be: what is not used is never touched.
-    constexpr std::size_t kMostTriangles = 6;
-    feelem::reserve_big(skin.triangles, facets.size() * kMostTriangles);
-    feelem::reserve_big(skin.facets, facets.size() * kMostTriangles);
+    const FacetNodes nodes(mesh);
+    std::size_t triangles = 0;
+    const feelem::NodeRanks ranks = [&] {
+        const Used used = used_by(nodes, mesh.node_count(), facets);
+        triangles = used.triangles;
+        return ranks_of(used.nodes.data(), mesh.node_count());
+    }();
+    CompactSkin skin(ranks.count(), triangles);
+    std::size_t at = 0;
     for (std::uint32_t i = 0; i < facets.size(); ++i) {
-        feelem::fetch_elements(mesh, facets, i);
-        const Outline facet = feelem::outline_of(mesh, facets[i]);
-        for (std::size_t k = 0; k < facet.count; ++k) {
-            ranks.mark(facet.corners[k]);
-            if (facet.middles[k] != kNoNode) ranks.mark(facet.middles[k]);
-        }
-        for_each_triangle(facet, [&](NodeIndex a, NodeIndex b, NodeIndex c) {
-            skin.triangles.push_back({raw(a), raw(b), raw(c)});
-            skin.facets.push_back(i);
-        });
-    }
-    ranks.seal();
-    for (auto& triangle : skin.triangles) {
-        for (std::uint32_t& point : triangle) point = ranks(NodeIndex{point});
-    }
-    feelem::reserve_big(skin.points, ranks.count());
-    feelem::reserve_big(skin.values, ranks.count());
-    feelem::reserve_big(skin.nodes, ranks.count());
-    ranks.for_each([&](std::uint32_t node) {
-        const feelem::Point3& at = mesh.coordinates[node];
-        skin.points.push_back(
-            {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])}
+        const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            skin.triangles[at] = {a, b, c};
+            skin.facets[at++] = i;
+        };
+        nodes.visit(
+            facets[i],
+            [&](NodeIndex a, NodeIndex b, NodeIndex c, NodeIndex d) {
+                const std::uint32_t first = ranks(a), third = ranks(c);
+                triangle(first, ranks(b), third);
+                triangle(first, third, ranks(d));
+            },
+            [&](const Outline& facet) {
+                for_each_triangle(facet, [&](NodeIndex a, NodeIndex b, NodeIndex c) {
+                    triangle(ranks(a), ranks(b), ranks(c));
+                });
+            }
         );
-        skin.values.push_back(values[node]);
-        skin.nodes.push_back(NodeIndex{node});
+    }
+    std::size_t point = 0;
+    ranks.for_each([&](std::uint32_t node) {
+        const feelem::Point3& place = mesh.coordinates[node];
+        skin.points[point] = {
+            static_cast<float>(place[0]), static_cast<float>(place[1]), static_cast<float>(place[2])};
+        skin.values[point] = values[node];
+        skin.nodes[point++] = NodeIndex{node};
     });
     return skin;
 }
@@ -74,7 +165,7 @@ void measure(const CompactSkin& skin, double& area, double& volume) {
         const auto& at = skin.points[point];
         return feelem::Point3{at[0], at[1], at[2]};
     };
-    for (const auto& [i, j, k] : skin.triangles) {
+    for (const auto& [i, j, k] : skin.triangles.span()) {
         const feelem::Point3 a = place(i), b = place(j), c = place(k);
         const feelem::Point3 normal = feelem::cross(feelem::minus(b, a), feelem::minus(c, a));
         area += feelem::length(normal) / 2;

@@ -3,6 +3,7 @@
 // triangles.
 #pragma once
 
+#include "base/huge_pages.hpp"
 #include "skin/outline.hpp"
 
 #include "feelem/mesh.hpp"
@@ -10,17 +11,20 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace bench {
 
 struct CompactSkin {
-    std::vector<std::array<float, 3>> points;
-    std::vector<float> values;
-    std::vector<feelem::NodeIndex> nodes;  ///< Per point, ascending.
-    std::vector<std::array<std::uint32_t, 3>>
-        triangles;                      ///< Into points, through middles where there are some.
-    std::vector<std::uint32_t> facets;  ///< Per triangle: into the facets.
+    CompactSkin(std::size_t point_count, std::size_t triangle_count)
+        : points(point_count), values(point_count), nodes(point_count), triangles(triangle_count),
+          facets(triangle_count) {}
+
+    feelem::ZeroedArray<std::array<float, 3>> points;
+    feelem::ZeroedArray<float> values;
+    feelem::ZeroedArray<feelem::NodeIndex> nodes;  ///< Per point, ascending.
+    feelem::ZeroedArray<std::array<std::uint32_t, 3>>
+        triangles;                              ///< Into points, through middles where there are some.
+    feelem::ZeroedArray<std::uint32_t> facets;  ///< Per triangle: into the facets.
 };
 
 /// `values`: one per node of the mesh.

@@ -101,12 +101,12 @@ Found run(const std::string& stage, const feelem::Mesh& mesh, const feelem::Resu
         used = timed([&] { outer = feelem::find_outer_facets(mesh, {}); });
         found.facets = sum_of(mesh, outer);
     } else if (stage == "compact") {
-        bench::CompactSkin skin;
+        bench::CompactSkin skin(0, 0);
         used = timed([&] {
             skin = bench::compact(mesh, feelem::find_outer_facets(mesh, {}).outer, result.values);
         });
         bench::measure(skin, found.area, found.volume);
-        for (const float value : skin.values) found.value_sum += static_cast<double>(value);
+        for (const float value : skin.values.span()) found.value_sum += static_cast<double>(value);
         found.triangles = skin.triangles.size();
     } else {
         feelem::Diagnostics diagnostics;

@@ -48,6 +48,8 @@ public:
         return (marked & 1U) != 0;
     }
     std::uint32_t operator()(NodeIndex node) const {
+        // Where all are marked, they need not be counted.
+        if (bits_[raw(node) / 64] == ~std::uint64_t{0}) return before_[raw(node) / 64] + raw(node) % 64;
         const std::uint64_t below = bits_[raw(node) / 64] & ((std::uint64_t{1} << (raw(node) % 64)) - 1);
         return before_[raw(node) / 64] + ones(below);
     }
