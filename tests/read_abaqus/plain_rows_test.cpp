@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows taken the fast way are what the general way makes of them, whole and damaged. A plus sign before a
 // row's label sends it the general way and changes nothing else.
+#include "base/parallel.hpp"
+#include "read/abaqus/deck_mesh.hpp"
 #include "read/abaqus/deck_model.hpp"
 
 #include "feelem/error.hpp"
@@ -63,7 +65,8 @@ struct Rows {
     std::vector<std::string> rows;
 
     std::string text(std::string_view sign) const {
-        std::string out = keyword + "\n";
+        // Rows need some room before them too.
+        std::string out = "** a comment of some length before the first row\n" + keyword + "\n";
         for (const std::string& row : rows) {
             const std::size_t first = std::min(row.find_first_not_of(' '), row.size());
             const bool is_row = first < row.size() && row[first] >= '0' && row[first] <= '9';
@@ -141,6 +144,88 @@ TEST(PlainRows, damaged_are_what_the_general_way_makes_of_them) {
         }
     }
     EXPECT_GT(read, 4'000U);
+}
+
+/// Everything that a deck's mesh says, and what was said about it.
+std::string mesh_written_out(const std::string& text, unsigned threads) {
+    set_thread_count(threads);
+    Diagnostics diagnostics;
+    std::string out;
+    try {
+        const std::vector<Input> inputs{Input::from_memory("deck.inp", text)};
+        const Deck deck = scan_decks(inputs, nullptr, diagnostics);
+        DeckModel model = read_deck(deck, diagnostics);
+        out = written_out(model);
+        const Mesh mesh = build_mesh(deck, model, diagnostics);
+        for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+            out += fmt::format("{}", raw(mesh.node_ids[i]));
+            for (const double x : mesh.coordinates[i])
+                out += fmt::format(" {:x}", std::bit_cast<std::uint64_t>(x));
+            out += '\n';
+        }
+        for (const ElementBlock& block : mesh.blocks) {
+            out += fmt::format("{}:", element_row(block.type).name);
+            for (const ElementId id : block.ids) out += fmt::format(" {}", raw(id));
+            for (const PartIndex part : block.parts) out += fmt::format(" {}", mesh.parts[raw(part)].name);
+            for (const NodeIndex node : block.nodes) out += fmt::format(" {}", raw(node));
+            out += '\n';
+        }
+        for (const ElementSet& set : mesh.element_sets)
+            out += fmt::format("{} {}\n", set.name, set.elements.size());
+    } catch (const Error& error) {
+        out = error.what();
+    }
+    for (const Diagnostic& one : diagnostics.entries())
+        out += fmt::format("{} {} {} {}\n", code_info(one.code).word, one.where, one.text, one.count);
+    set_thread_count(0);
+    return out;
+}
+
+/// Some megabytes of rows; now and then something stands among them that is not plain.
+std::string large_deck(bool odd) {
+    std::string deck = "*HEADING\nlarge\n** so that there are bytes before the first row\n*NODE, NSET=ALL\n";
+    for (int id = 1; id <= 90'000; ++id) {
+        if (odd && id % 9001 == 0) deck += "** a comment, with a comma\n\n";
+        if (odd && id % 11'003 == 0) {
+            deck += fmt::format("+{}, {}., 1.5\n", id, id);
+        } else {
+            deck += fmt::format("{:7}, {:>12}, {:>12}, -{}.125\r\n", id, id + 0.25, id % 7 + 0.5, id % 11);
+        }
+    }
+    deck += "*ELEMENT, TYPE=C3D10, ELSET=SOLID\n";
+    for (int id = 1; id <= 40'000; ++id) {
+        if (odd && id % 7001 == 0) deck += "** between rows\n";
+        const int last = odd && id % 5003 == 0 ? 95'000 + id : id + 10;
+        const char* const end = odd && id % 13'007 == 0 ? ",\n** within a row\n" : ",\n";
+        deck += fmt::format(
+            "{0:7}, 1, 2, 3, 4, 5, 6{1}      {2}, 8, 9, {3}\n", id, end, 7 + (id % 50'000), last + 100
+        );
+    }
+    deck += "*ELEMENT, TYPE=C3D4\n";
+    for (int id = 50'001; id <= 90'000; ++id)
+        deck += fmt::format("{},{},{},{},{}\n", id, id - 3, id - 2, id - 1, id);
+    return deck + "*SOLID SECTION, ELSET=SOLID\n";
+}
+
+TEST(PlainRows, are_the_same_whatever_the_number_of_threads) {
+    for (const bool odd : {false, true}) {
+        const std::string deck = large_deck(odd);
+        ASSERT_GT(deck.size(), 6'000'000U);
+        const std::string one = mesh_written_out(deck, 1);
+        EXPECT_EQ(one, mesh_written_out(deck, 4));
+        EXPECT_EQ(one.find("unknown_node deck.inp:") != std::string::npos, odd)
+            << one.substr(one.size() - 300);
+    }
+}
+
+TEST(PlainRows, damaged_far_behind_are_reported_where_they_stand_whatever_the_number_of_threads) {
+    std::string deck = large_deck(false);
+    const std::size_t at = deck.find("  80000,");
+    ASSERT_NE(at, std::string::npos);
+    deck[at + 12] = 'x';
+    const std::string one = mesh_written_out(deck, 1);
+    EXPECT_NE(one.find("deck.inp:80004"), std::string::npos) << one.substr(0, 300);
+    EXPECT_EQ(one, mesh_written_out(deck, 4));
 }
 
 TEST(PlainRows, at_the_start_and_the_end_of_a_file_are_read_too) {

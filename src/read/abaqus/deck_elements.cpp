@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/abaqus/deck_elements.hpp"
 
-#include "base/huge_pages.hpp"
+#include "read/abaqus/keyword_rows.hpp"
 #include "read/abaqus/plain_rows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <string_view>
+#include <utility>
 
 namespace feelem::abaqus {
 namespace {
@@ -19,11 +20,9 @@ public:
         : deck_(deck), lines_(deck, keyword), diagnostics_(diagnostics) {}
 
     void read_shapes(ElementRun& run) {
-        for (;;) {
-            take_plain_rows(run);
-            auto line = lines_.next();
-            if (!line) return;
-            const Label id = take_label(*line, deck_, lines_);
+        PlainElementRows rows{&run.type, {}, {}};
+        read_rows(lines_, rows, [&](std::string_view line) {
+            const Label id = take_label(line, deck_, lines_);
             if (id == 0) throw_bad_number("", "the number of an element", deck_, lines_);
             if (!read_nodes(line, run)) {
                 diagnostics_.add(
@@ -31,10 +30,13 @@ public:
                     [&] { return fmt::format("{} (element {})", lines_.where(), id); },
                     fmt::format("elements of type {} with too few nodes are left out", run.type_name)
                 );
-                return;
+                return false;
             }
-            add_row(run, id);
-        }
+            rows.add(id, nodes_);
+            return true;
+        });
+        run.ids = std::move(rows.ids);
+        run.nodes = std::move(rows.nodes);
     }
 
     /// Without the number of nodes of a row, a comma at the end of a line says that it goes on.
@@ -50,41 +52,6 @@ public:
     void release() const { lines_.release(); }
 
 private:
-    void add_row(ElementRun& run, Label id) {
-        run.ids.push_back(id);
-        const auto& order = run.type.order;
-        const auto first = nodes_.begin();
-        if (order.empty()) {
-            run.nodes.insert(run.nodes.end(), first, first + run.type.most_nodes);
-        } else {
-            for (std::size_t i = 0; i < run.type.most_nodes; ++i) run.nodes.push_back(nodes_[order[i]]);
-        }
-    }
-
-    /// Rows as programs write them, as long as they follow each other.
-    void take_plain_rows(ElementRun& run) {
-        const std::string_view text = lines_.ahead();
-        const char* at = text.data();
-        const char* const end = at + text.size();
-        const std::size_t width = run.type.most_nodes;
-        Label id = 0;
-        RowColumns columns;
-        const auto nodes = std::span(nodes_).first(width);
-        const auto take_row = [&] {
-            const bool is_like = columns.length != 0 && end - at >= kRoomForRow;
-            return (is_like && take_like_element_row(at, id, nodes, columns)) ||
-                   take_element_row(at, end, id, nodes, columns);
-        };
-        for (const char* row = at; take_row(); row = at) {
-            if (run.ids.size() == run.ids.capacity()) {
-                grow_by_text(run.ids, static_cast<std::size_t>(end - at), static_cast<std::size_t>(at - row));
-                reserve_big(run.nodes, run.ids.capacity() * width);
-            }
-            add_row(run, id);
-        }
-        if (at != text.data()) lines_.go_on_at(at);
-    }
-
     /// A row goes on in the next line until it has its nodes. Where a type may have fewer, a line without a
     /// comma at its end is the last one. False: the lines end before.
     bool read_nodes(std::optional<std::string_view> line, const ElementRun& run) {

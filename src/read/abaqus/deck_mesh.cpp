@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/abaqus/deck_mesh.hpp"
 
+#include "base/huge_pages.hpp"
 #include "model/mesh_builder.hpp"
 #include "read/abaqus/flat_scopes.hpp"
 #include "read/element_lookup.hpp"
@@ -62,12 +63,23 @@ public:
         }
     }
     const std::string& name_of(Label label, const ElementRun& run) const {
-        const std::size_t section = section_[position_(label)];
+        return name(section_of(label), run);
+    }
+    /// How many elements of a run from row `first` on are of one part with it.
+    std::size_t alike_from(std::size_t first, const ElementRun& run) const {
+        const std::uint32_t section = section_of(run.ids[first]);
+        std::size_t last = first + 1;
+        while (last < run.ids.size() && section_of(run.ids[last]) == section) ++last;
+        return last - first;
+    }
+
+private:
+    std::uint32_t section_of(Label label) const { return section_[position_(label)]; }
+    const std::string& name(std::uint32_t section, const ElementRun& run) const {
         if (section > 0) return names_[section - 1];
         return run.set.empty() ? nothing_ : run.set;
     }
 
-private:
     PositionFinder position_;
     std::vector<std::uint32_t> section_;  ///< Of element_ids; 0: none, else its place in names_ + 1.
     std::vector<std::string> names_;
@@ -105,28 +117,58 @@ public:
     }
 
 private:
+    /// The definitions of the one scope that there is, when nothing but the mesh needs its places any more.
+    Scope* sole_table() {
+        if (scopes_.size() != 1 || scopes_[0].tables.size() != 1) return nullptr;
+        const Scope* const table = scopes_[0].tables[0];
+        if (scopes_[0].placement.moves || scopes_[0].offset != 0 || !table->transforms.empty())
+            return nullptr;
+        if (table == &model_.model) return &model_.model;
+        for (auto& [name, part] : model_.parts) {
+            if (table == &part) return &part;
+        }
+        return nullptr;
+    }
+
     void add_nodes() {
+        if (Scope* const table = sole_table(); table != nullptr && model_.assembly.transforms.empty()) {
+            std::vector<NodeId> ids;
+            reserve_big(ids, table->node_ids.size());
+            for (const Label label : table->node_ids) ids.push_back(NodeId{label});
+            builder_.add_nodes(std::move(ids), std::move(table->places));
+            builder_.seal_nodes();
+            return;
+        }
         std::size_t count = 0;
         for (const FlatScope& scope : scopes_) count += scope.node_ids.size();
         builder_.reserve_nodes(count);
         for (std::size_t at = 0; at < scopes_.size(); ++at) {
             const FlatScope& scope = scopes_[at];
             const auto angles = angles_at(at);
-            for (const Scope* table : scope.tables) {
-                for (std::size_t i = 0; i < table->node_ids.size(); ++i) {
-                    const Label label = table->node_ids[i];
-                    const Point3 place =
-                        scope.placement.moves ? placed(scope.placement, table->places[i]) : table->places[i];
-                    const auto turned = angles.find(label);
-                    if (turned == angles.end()) {
-                        builder_.add_node(scope.node(label), place);
-                    } else {
-                        builder_.add_node(scope.node(label), place, turned->second);
-                    }
-                }
-            }
+            for (const Scope* table : scope.tables) add_nodes_of(scope, *table, angles);
         }
         builder_.seal_nodes();
+    }
+
+    void add_nodes_of(
+        const FlatScope& scope, const Scope& table, const std::map<Label, NodalAngles>& angles
+    ) {
+        std::vector<NodeId> ids;
+        for (const Label label : table.node_ids) ids.push_back(scope.node(label));
+        if (angles.empty() && !scope.placement.moves) {
+            builder_.add_nodes(std::span<const NodeId>(ids), table.places);
+            return;
+        }
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            const Point3 place =
+                scope.placement.moves ? placed(scope.placement, table.places[i]) : table.places[i];
+            const auto turned = angles.find(table.node_ids[i]);
+            if (turned == angles.end()) {
+                builder_.add_node(ids[i], place);
+            } else {
+                builder_.add_node(ids[i], place, turned->second);
+            }
+        }
     }
 
     /// Nodal systems of a scope's nodes by their labels. Those of the assembly may be for any scope's.
@@ -177,6 +219,10 @@ private:
         std::size_t row = 0;
         for (const Scope* table : scope.tables) {
             for (const ElementRun& run : table->runs) {
+                if (last_of.empty() && scope.offset == 0 && !may_be_bare(run.type.shape)) {
+                    add_run(scope, run, parts);
+                    continue;
+                }
                 for (std::size_t i = 0; i < run.ids.size(); ++i, ++row) {
                     const auto repeated = last_of.find(run.ids[i]);
                     if (repeated != last_of.end() && repeated->second != row) continue;
@@ -184,6 +230,38 @@ private:
                         scope, run, i, by_section_ ? parts.name_of(run.ids[i], run) : part_name(scope)
                     );
                 }
+            }
+        }
+    }
+
+    /// Types that are smaller ones without nodes on their faces.
+    static bool may_be_bare(ElementType type) {
+        return type == ElementType::Hex27 || type == ElementType::Wedge18;
+    }
+
+    /// Elements whose labels are their ids, each defined once.
+    void add_run(const FlatScope& scope, const ElementRun& run, const SectionParts& parts) {
+        constexpr std::size_t kMostAtOnce = std::size_t{1} << 16U;
+        const std::size_t width = run.type.most_nodes;
+        std::vector<ElementId> ids;
+        for (std::size_t first = 0; first < run.ids.size();) {
+            const std::size_t alike = by_section_ ? parts.alike_from(first, run) : run.ids.size() - first;
+            const std::string& part = by_section_ ? parts.name_of(run.ids[first], run) : part_name(scope);
+            for (const std::size_t end = first + alike; first < end;) {
+                const std::size_t count = std::min(end - first, kMostAtOnce);
+                ids.clear();
+                for (const Label id : std::span(run.ids).subspan(first, count)) ids.push_back(ElementId{id});
+                // Labels are not negative.
+                const auto* const nodes =
+                    reinterpret_cast<const std::uint32_t*>(run.nodes.data() + first * width);
+                builder_.add_elements(
+                    run.type.shape,
+                    part_called(part),
+                    ids,
+                    {nodes, count * width},
+                    [&](std::size_t) { return deck_.where(deck_.keywords[run.keyword]); }
+                );
+                first += count;
             }
         }
     }

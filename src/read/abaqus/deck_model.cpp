@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/abaqus/deck_model.hpp"
 
-#include "base/huge_pages.hpp"
 #include "read/abaqus/deck_elements.hpp"
 #include "read/abaqus/deck_generate.hpp"
+#include "read/abaqus/keyword_rows.hpp"
 #include "read/abaqus/plain_rows.hpp"
 
 #include "feelem/error.hpp"
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace feelem::abaqus {
@@ -140,46 +141,26 @@ private:
         const SystemKind kind = system_kind(keyword.value("SYSTEM"));
         DeckSet* set = keyword.has("NSET") ? &into.node_sets.get(keyword.value("NSET")) : nullptr;
         DataLines lines(deck_, keyword);
-        const auto add = [&](Label id, Point3 place) {
-            if (kind != SystemKind::Rectangular) place = cartesian(kind, place);
-            into.node_ids.push_back(id);
-            into.places.push_back(system_.moves ? placed(system_, place) : place);
-            if (set != nullptr) add_label(*set, id);
-        };
-        for (;;) {
-            take_plain_nodes(lines, into, add);
-            auto line = lines.next();
-            if (!line) break;
-            const Label id = take_label(*line, deck_, lines);
+        const std::size_t before = into.node_ids.size();
+        PlainNodes rows{std::move(into.node_ids), std::move(into.places)};
+        read_rows(lines, rows, [&](std::string_view line) {
+            const Label id = take_label(line, deck_, lines);
             if (id == 0) throw_bad_number("", "the number of a node", deck_, lines);
             Point3 place;
-            for (double& x : place) x = take_number(*line, 0, deck_, lines);
-            add(id, place);
-        }
+            for (double& x : place) x = take_number(line, 0, deck_, lines);
+            rows.ids.push_back(id);
+            rows.places.push_back(place);
+            return true;
+        });
+        into.node_ids = std::move(rows.ids);
+        into.places = std::move(rows.places);
         lines.release();
-    }
-
-    /// Rows as programs write them, as long as they follow each other.
-    template <class Add>
-    static void take_plain_nodes(DataLines& lines, Scope& into, const Add& add) {
-        const std::string_view text = lines.ahead();
-        const char* at = text.data();
-        const char* const end = at + text.size();
-        Label id = 0;
-        Point3 place;
-        RowColumns columns;
-        const auto take_row = [&] {
-            const bool is_like = columns.length != 0 && end - at >= kRoomForRow;
-            return (is_like && take_like_node_row(at, id, place, columns)) ||
-                   take_node_row(at, end, id, place, columns);
-        };
-        for (const char* row = at; take_row(); row = at) {
-            const auto left = static_cast<std::size_t>(end - at);
-            grow_by_text(into.node_ids, left, static_cast<std::size_t>(at - row));
-            grow_by_text(into.places, left, static_cast<std::size_t>(at - row));
-            add(id, place);
+        for (Point3& place : std::span(into.places).subspan(before)) {
+            if (kind != SystemKind::Rectangular) place = cartesian(kind, place);
+            if (system_.moves) place = placed(system_, place);
         }
-        if (at != text.data()) lines.go_on_at(at);
+        if (set == nullptr) return;
+        for (const Label id : std::span(into.node_ids).subspan(before)) add_label(*set, id);
     }
 
     void elements(const Keyword& keyword, std::size_t index) {

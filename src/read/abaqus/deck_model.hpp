@@ -2,7 +2,7 @@
 // What a deck defines, scope by scope (model, part, instance, assembly), before it is flattened to a mesh.
 #pragma once
 
-#include "read/abaqus/deck_keywords.hpp"
+#include "read/abaqus/deck_lines.hpp"
 #include "read/abaqus/deck_types.hpp"
 #include "read/abaqus/frames.hpp"
 

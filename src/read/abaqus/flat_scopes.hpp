@@ -76,7 +76,7 @@ private:
         auto id = std::ranges::lower_bound(ids, range.first);
         for (; id != ids.end() && *id <= range.last && budget_ > 0; ++id) {
             spend(1);
-            if ((*id - range.first) % range.step == 0) use(at, *id);
+            if (range.step == 1 || (*id - range.first) % range.step == 0) use(at, *id);
         }
     }
 
