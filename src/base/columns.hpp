@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace feelem {
 
@@ -23,12 +24,12 @@ bool three_reals_of_21(const char* at, double* out);
 /// The same without registers of 512 bits.
 bool narrow_three_reals_of_21(const char* at, double* out);
 
-/// `count` columns of 12 to 20 characters as Fortran's G prints reals: at least one blank or a sign, digits
-/// with a point, and then four blanks or an exponent E-02; each rounded once. False: something else stands in
-/// one of them, a number cannot be rounded so, or the processor is another; `out` holds nothing then. Looks
-/// at up to kBeforeReals bytes before the columns, for nothing.
-bool columns_of_reals(const char* at, std::size_t width, std::size_t count, double* out);
-bool columns_of_reals(const char* at, std::size_t width, std::size_t count, float* out);
+/// Columns of 12 to 20 characters, each so far behind `at`, as Fortran's G prints reals: at least one blank
+/// or a sign, digits with a point, and then four blanks or an exponent E-02; each rounded once. False:
+/// something else stands in one of them, a number cannot be rounded so, there is none, or the processor is
+/// another; `out` holds nothing then. Looks at up to kBeforeReals bytes before each column, for nothing.
+bool columns_of_reals(const char* at, std::span<const std::uint32_t> offsets, std::size_t width, double* out);
+bool columns_of_reals(const char* at, std::span<const std::uint32_t> offsets, std::size_t width, float* out);
 inline constexpr std::size_t kBeforeReals = 7;
 
 /// Where a field begins and ends.

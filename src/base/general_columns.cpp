@@ -247,40 +247,50 @@ FEELEM_AVX2_INLINE void put(__m256d values, float* out, __m256i& odd) {
     _mm_storeu_ps(out, _mm256_cvtpd_ps(values));
 }
 
-template <class Real>
-FEELEM_AVX2 bool general_reals(const char* at, std::size_t width, std::size_t count, Real* out) {
+template <bool kIsShort, class Real>
+FEELEM_AVX2 bool general_reals(
+    const char* at, std::span<const std::uint32_t> offsets, std::size_t width, Real* out
+) {
     __m256i odd = _mm256_setzero_si256();
-    const std::size_t foreign = width == kShortWidth ? 0 : kMostWidth - width;
+    const std::size_t foreign = kIsShort ? 0 : kMostWidth - width;
+    const std::size_t to_exponent = width - kExponentWidth;
     const __m256i places =
         _mm256_broadcastsi128_si256(_mm_setr_epi8(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
     const __m256i edge = _mm256_set1_epi8(static_cast<char>(foreign));
     const __m256i first = _mm256_cmpeq_epi8(places, edge);
     const __m256i keep = either(first, _mm256_cmpgt_epi8(places, edge));
-    // Of fewer than four the last one again.
-    const auto offset = [&](std::size_t i) { return std::min(i, count - 1) * width; };
-    const std::array<std::size_t, 4> offsets{0, offset(1), offset(2), offset(3)};
-    for (std::size_t done = 0; done < count;) {
-        // The last four once more, where their number is no multiple of four.
-        const std::size_t from = count - done >= 4 || count < 4 ? done : count - 4;
-        const char* column = at + from * width;
+    const auto four = [&](const std::uint32_t* four_offsets) FEELEM_AVX2 {
         std::array<const char*, 4> mantissas{}, exponents{};
         for (std::size_t i = 0; i < 4; ++i) {
-            mantissas[i] = column + offsets[i] - foreign;
-            exponents[i] = column + offsets[i] + width - kExponentWidth;
+            mantissas[i] = at + four_offsets[i] - foreign;
+            exponents[i] = at + four_offsets[i] + to_exponent;
         }
         const FourNumbers numbers =
-            width == kShortWidth ? four_of_12(mantissas, odd) : four_of_20(mantissas, keep, first, odd);
-        const __m256d values = scaled(numbers, four_exponents(exponents, odd), odd);
-        if (count >= 4) {
-            put(values, out + from, odd);
-        } else {
-            std::array<Real, 4> some{};
-            put(values, some.data(), odd);
-            std::copy_n(some.begin(), count, out);
-        }
-        done = from + 4;
+            kIsShort ? four_of_12(mantissas, odd) : four_of_20(mantissas, keep, first, odd);
+        return scaled(numbers, four_exponents(exponents, odd), odd);
+    };
+    const std::size_t count = offsets.size();
+    if (count < 4) {
+        std::array<std::uint32_t, 4> again{};  // The last one again.
+        for (std::size_t i = 0; i < 4; ++i) again[i] = offsets[std::min(i, count - 1)];
+        std::array<Real, 4> some{};
+        put(four(again.data()), some.data(), odd);
+        std::copy_n(some.begin(), count, out);
+        return _mm256_testz_si256(odd, odd) != 0;
+    }
+    for (std::size_t done = 0; done < count; done += 4) {
+        // The last four once more, where their number is no multiple of four.
+        const std::size_t from = std::min(done, count - 4);
+        put(four(offsets.data() + from), out + from, odd);
     }
     return _mm256_testz_si256(odd, odd) != 0;
+}
+
+template <class Real>
+bool general_columns(const char* at, std::span<const std::uint32_t> offsets, std::size_t width, Real* out) {
+    if (!has_fast_columns() || width < kShortWidth || width > kMostWidth || offsets.empty()) return false;
+    return width == kShortWidth ? general_reals<true>(at, offsets, width, out)
+                                : general_reals<false>(at, offsets, width, out);
 }
 
 constexpr std::ptrdiff_t kLongestField = 15;
@@ -315,14 +325,14 @@ FEELEM_AVX2 bool reals_between(const std::array<TextField, 3>& fields, double* o
 
 }  // namespace
 
-bool columns_of_reals(const char* at, std::size_t width, std::size_t count, double* out) {
-    return has_fast_columns() && width >= kShortWidth && width <= kMostWidth &&
-           general_reals(at, width, count, out);
+bool columns_of_reals(
+    const char* at, std::span<const std::uint32_t> offsets, std::size_t width, double* out
+) {
+    return general_columns(at, offsets, width, out);
 }
 
-bool columns_of_reals(const char* at, std::size_t width, std::size_t count, float* out) {
-    return has_fast_columns() && width >= kShortWidth && width <= kMostWidth &&
-           general_reals(at, width, count, out);
+bool columns_of_reals(const char* at, std::span<const std::uint32_t> offsets, std::size_t width, float* out) {
+    return general_columns(at, offsets, width, out);
 }
 
 bool three_reals_between(const std::array<TextField, 3>& fields, double* out) {
@@ -335,11 +345,11 @@ bool three_reals_between(const std::array<TextField, 3>& fields, double* out) {
 
 namespace feelem {
 
-bool columns_of_reals(const char*, std::size_t, std::size_t, double*) {
+bool columns_of_reals(const char*, std::span<const std::uint32_t>, std::size_t, double*) {
     return false;
 }
 
-bool columns_of_reals(const char*, std::size_t, std::size_t, float*) {
+bool columns_of_reals(const char*, std::span<const std::uint32_t>, std::size_t, float*) {
     return false;
 }
 

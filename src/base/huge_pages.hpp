@@ -30,14 +30,14 @@ void reserve_big(std::vector<T>& values, std::size_t count) {
     prefer_huge_pages(values.data(), values.capacity() * sizeof(T));
 }
 
-/// Before one more is added to a vector that is full: room for as many as `left` bytes of text hold, if each
-/// takes `each` of them, as the last one did.
+/// Before `count` more are added to a vector that has no room for them: room for as many as `left` bytes of
+/// text hold, if each takes `each` of them, as the last one did.
 template <class T>
-void grow_by_text(std::vector<T>& values, std::size_t left, std::size_t each) {
+void grow_by_text(std::vector<T>& values, std::size_t left, std::size_t each, std::size_t count = 1) {
     constexpr std::size_t kShortest = 8;
-    if (values.size() < values.capacity()) return;
+    if (values.size() + count <= values.capacity()) return;
     const std::size_t more = left / std::max(each, kShortest);
-    reserve_big(values, values.size() + values.size() / 2 + more + 1);
+    reserve_big(values, values.size() + values.size() / 2 + more + count);
 }
 
 /// `count` elements of value zero.

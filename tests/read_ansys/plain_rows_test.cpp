@@ -162,5 +162,80 @@ TEST(PlainRows, say_what_the_general_way_says) {
     }
 }
 
+/// Nodes 1 to 400 with values of five columns, which make two results, or four, which make one.
+class ValueList {
+public:
+    explicit ValueList(int columns) : columns_(columns) {
+        for (int id = 1; id <= 400; ++id) add(id);
+    }
+    void add(int id) {
+        std::string row = fmt::format("{:8} ", id);
+        for (int i = 0; i < columns_; ++i)
+            row += general(std::sin(0.1 * id + i) * std::pow(10.0, i - 2), 5, 12);
+        rows.push_back(row);
+    }
+    void repeat(std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) rows.push_back(std::string(rows[i]));
+    }
+    std::vector<std::string> texts(const std::string& row_end, const std::string& notes) const {
+        std::string nodes = "\n LIST ALL SELECTED NODES.   DSYS=      0\n\n    NODE        X   Y   Z\n";
+        for (int id = 1; id <= 500; ++id)
+            nodes += fmt::format("{:8}  {:12.6f}  0.000  0.000\n", id, 0.1 * id);
+        std::string values =
+            "\n  ***** POST1 NODAL DEGREE OF FREEDOM LISTING *****\n\n"
+            "  LOAD STEP=     1  SUBSTEP=     1\n   TIME=    1.0000      LOAD CASE=   0\n\n" +
+            notes;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (i % 150 == 0) {
+                values += "\n    NODE    UX          UY          UZ          ";
+                values += columns_ == 4 ? "USUM\n" : "ROTX        TEMP\n";
+            }
+            values += rows[i] + row_end;
+        }
+        return {nodes, values};
+    }
+
+    std::vector<std::string> rows;
+
+private:
+    int columns_;
+};
+
+TEST(PlainRows, many_values_at_once_go_where_each_belongs) {
+    const std::string layers = "  SHELL NODAL RESULTS ARE AT TOP/BOTTOM FOR MATERIAL   1\n \n";
+    for (const int columns : {4, 5}) {
+        for (const std::string& notes : {std::string(), layers}) {
+            for (int way = 0; way < 6; ++way) {
+                SCOPED_TRACE(fmt::format("{} columns, way {}", columns, way));
+                ValueList list(columns);
+                if (way == 1) std::swap(list.rows[37], list.rows[38]);
+                if (way == 2) list.repeat(90, 140);
+                if (way == 3) list.rows[77].replace(9, 12, general(5.55, 5, 12));
+                if (way == 3) list.repeat(60, 90);
+                if (way == 3) list.rows[420].replace(9, 12, general(7.77, 5, 12));
+                if (way == 4) list.add(501), list.add(502), list.add(499);
+                if (way == 5) list.rows[300].replace(9, 12, "         ***");
+                auto general_way = open_texts(list.texts("\t\n", notes));
+                auto plain = open_texts(list.texts("\n", notes));
+                ASSERT_GT(plain.model->results().size(), 0u);
+                expect_same(plain, general_way);
+            }
+        }
+    }
+}
+
+TEST(PlainRows, two_lines_as_long_as_a_row_are_two_lines) {
+    ValueList list(4);
+    const std::size_t length = list.rows[0].size();
+    const std::string id = "     100\n", footer = " MINIMUM VALUES ";
+    list.rows[99] = id + footer + std::string(length - id.size() - footer.size(), '-');
+    auto opened = open_texts(list.texts("\n", ""));
+    const Result result = opened.model->load(0);
+    ASSERT_EQ(list.rows[99].size(), length);
+    EXPECT_FALSE(std::isnan(result.values.at(4 * 98)));
+    EXPECT_TRUE(std::isnan(result.values.at(4 * 99))) << "a row without values";
+    EXPECT_TRUE(std::isnan(result.values.at(4 * 100))) << "a row behind the footer";
+}
+
 }  // namespace
 }  // namespace feelem

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace feelem::ansys {
@@ -141,15 +142,27 @@ private:
 template <class Real>
 class AlikeRows {
 public:
-    explicit AlikeRows(std::size_t reals) : reals_(reals) {}
+    static constexpr std::size_t kAtOnce = 16;  ///< Rows.
 
-    /// The row at the cursor; moves to the next one. False, without moving, when it is not like that.
-    bool read(RowCursor& cursor, std::int64_t& id, std::span<Real> out) {
+    explicit AlikeRows(std::size_t reals) : reals_(reals), offsets_(kAtOnce * reals) {}
+
+    /// Up to kAtOnce rows from the cursor on; moves behind them. 0, without moving, when the first is not
+    /// like that.
+    std::size_t read(RowCursor& cursor, std::span<std::int64_t, kAtOnce> ids, Real* out) {
         const std::string_view rest = cursor.rest();
-        if (length_ == 0 || rest.size() < length_ || !is_alike(rest.data(), id, out.data())) return false;
-        cursor.skip(length_);
+        if (length_ == 0 || rest.size() < length_) return 0;
+        const std::size_t most = ones_ > 0 ? 1 : std::min(kAtOnce, rest.size() / length_);
+        std::size_t rows = 0;
+        while (rows < most && has_same_form(rest.data() + rows * length_, ids[rows])) ++rows;
+        if (rows == 0) return 0;
+        if (!read_reals(rest.data(), rows, out)) {
+            if (rows == 1 || !read_reals(rest.data(), 1, out)) return 0;
+            ones_ = std::exchange(rows, 1);  // One of them is odd: until it is behind, each is read alone.
+        }
+        if (ones_ > 0) --ones_;
+        cursor.skip(rows * length_);
         misses_ = 0;
-        return true;
+        return rows;
     }
 
     /// A row with a number in each column, which has been read in another way: those behind it may be like
@@ -165,7 +178,9 @@ public:
         std::int64_t id = 0;
         std::vector<Real> values(reals_);
         if (tail_.front() != ' ' && tail_.front() != '\r' && tail_.front() != line_end) return true;
-        if (is_alike(row.data(), id, values.data())) length_ = end + 1;
+        for (std::size_t i = 0; i < offsets_.size(); ++i)
+            offsets_[i] = static_cast<std::uint32_t>(i / reals_ * (end + 1) + i % reals_ * width_);
+        if (has_same_form(row.data(), id) && read_reals(row.data(), 1, values.data())) length_ = end + 1;
         return true;
     }
 
@@ -181,14 +196,17 @@ private:
     static constexpr std::size_t kExponent = 4;            ///< Or four blanks.
     static constexpr std::size_t kAhead = 1024;            ///< What will be read soon, beyond the end too.
 
-    bool is_alike(const char* row, std::int64_t& id, Real* out) const {
+    /// But for its reals.
+    bool has_same_form(const char* row, std::int64_t& id) const {
         __builtin_prefetch(row + kAhead);
         __builtin_prefetch(row + kAhead + 64);
         if (!fast_integer(row, id_end_, id) || id == 0) return false;
         std::uint64_t foreign = 0;
         for (std::size_t i = id_end_; i < first_; ++i) foreign |= static_cast<std::uint64_t>(row[i] != ' ');
-        return foreign == 0 && columns_of_reals(row + first_, width_, reals_, out) &&
-               same_characters(row + first_ + reals_ * width_, tail_.data(), tail_.size());
+        return foreign == 0 && same_characters(row + first_ + reals_ * width_, tail_.data(), tail_.size());
+    }
+    bool read_reals(const char* row, std::size_t rows, Real* out) const {
+        return columns_of_reals(row + first_, std::span(offsets_).first(rows * reals_), width_, out);
     }
 
     /// Where the id ends, where columns begin and how wide they are. False: not known, or not of one width.
@@ -219,8 +237,10 @@ private:
     std::size_t reals_;
     std::size_t length_ = 0;  ///< With the line's end; 0: no such row is known.
     std::size_t id_end_ = 0, first_ = 0, width_ = 0;
-    std::string_view tail_;  ///< Of the row learned, to its end.
-    unsigned misses_ = 0;    ///< Since the last row that was alike.
+    std::string_view tail_;               ///< Of the row learned, to its end.
+    unsigned misses_ = 0;                 ///< Since the last row that was alike.
+    std::size_t ones_ = 0;                ///< So many rows are to be read one by one.
+    std::vector<std::uint32_t> offsets_;  ///< Of the reals of kAtOnce rows behind the first.
 };
 
 }  // namespace feelem::ansys

@@ -346,11 +346,12 @@ void for_each_table_row(
     const ListModel& model,
     const Table& table,
     Diagnostics* diagnostics,
-    const std::function<void(const ValueRow&)>& use
+    const std::function<void(const ValueRow&)>& use,
+    const std::function<void(const ValueRows&)>& use_many
 ) {
     if (!table.is_export) {
         const ListFile& file = model.files[table.file];
-        for_each_value_row(file, file.lists[table.list], diagnostics, use);
+        for_each_value_row(file, file.lists[table.list], diagnostics, use, use_many);
         return;
     }
     const ExportFile& file = model.exports[table.file];

@@ -63,14 +63,15 @@ std::string body_name(const ExportFile& file, std::size_t body);
 /// Steps that no result is left in go.
 void join_derived(ListedResults& out);
 
-/// Element id -> index, for lists of elements.
+/// Element id -> index, for lists of elements, which mostly ascend.
 class ElementFinder {
 public:
     explicit ElementFinder(const Mesh& mesh);
-    ElementIndex operator()(std::int64_t id) const;
+    ElementIndex operator()(std::int64_t id);
 
 private:
     std::vector<std::pair<std::int64_t, std::uint32_t>> indices_;
+    std::size_t last_ = 0;  ///< Which was found.
 };
 
 /// How many rows each node of an element has in PRESOL: 1, 2 (top, bottom) or 3 (and middle), when the rows
@@ -82,12 +83,13 @@ Result load_values(
     const ListModel& model, const ListedResult& listed, const Mesh& mesh, Diagnostics* diagnostics
 );
 
-/// Calls use for every row of a table.
+/// Calls use for every row of a table, or use_many, where there is one, for plain rows.
 void for_each_table_row(
     const ListModel& model,
     const Table& table,
     Diagnostics* diagnostics,
-    const std::function<void(const ValueRow&)>& use
+    const std::function<void(const ValueRow&)>& use,
+    const std::function<void(const ValueRows&)>& use_many = nullptr
 );
 
 }  // namespace feelem::ansys

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -102,24 +103,27 @@ class ValueParser {
 public:
     explicit ValueParser(const ValueHead& head)
         : width_(head.column_width), values_(head.columns.size()), columns_(head.columns.size()),
-          alike_(head.columns.size()) {}
+          alike_(head.columns.size()), many_(AlikeRows<float>::kAtOnce * head.columns.size()) {}
 
     std::span<const float> values() const { return values_; }
     bool has_bad_value() const { return has_bad_value_; }
 
-    /// A row with all its values as solvers print them; false, without moving, when it is not.
-    bool parse_plain(RowCursor& cursor, std::int64_t& id, std::size_t& length) {
-        has_bad_value_ = false;
-        if (alike_.read(cursor, id, values_)) {
+    /// Rows with all their values as solvers print them; none, without moving, when the next one is not.
+    ValueRows parse_plain(RowCursor& cursor, std::size_t& length) {
+        std::size_t count = alike_.read(cursor, ids_, many_.data());
+        if (count > 0) {
             length = alike_.length();
-            return true;
+        } else {
+            const std::string_view row = cursor.rest();
+            const char* at = cursor.plain_row(values_.size());
+            const auto values = std::span(many_).first(values_.size());
+            if (at == nullptr || !scan_plain_id(at, cursor.text_end(), ids_[0]) ||
+                !columns_.scan(at, cursor.text_end(), values) || !cursor.finish_row(at, length))
+                return {};
+            alike_.learn(row, cursor.line_end());
+            count = 1;
         }
-        const std::string_view row = cursor.rest();
-        const char* at = cursor.plain_row(values_.size());
-        const bool is_plain = at != nullptr && scan_plain_id(at, cursor.text_end(), id) &&
-                              columns_.scan(at, cursor.text_end(), values_) && cursor.finish_row(at, length);
-        if (is_plain) alike_.learn(row, cursor.line_end());
-        return is_plain;
+        return {std::span(ids_).first(count), std::span(many_).first(count * values_.size())};
     }
 
     RowKind parse(std::string_view line, std::int64_t& id) {
@@ -188,6 +192,8 @@ private:
     std::vector<float> values_;
     PlainColumns<float> columns_;
     AlikeRows<float> alike_;
+    std::array<std::int64_t, AlikeRows<float>::kAtOnce> ids_{};
+    std::vector<float> many_;  ///< Of as many rows.
     bool has_bad_value_ = false;
 };
 
@@ -245,6 +251,7 @@ void for_each_node(
     std::size_t usual_length = 0;
     std::size_t taken = 0;
     NodeRow row;
+    NodeRows rows;
     PlainNodeRows plain(list.has_angles);
     ReleaseBehind release(file.input);
     for (const RowRun& run : list.runs) {
@@ -255,14 +262,20 @@ void for_each_node(
             continue;
         }
         for (RowCursor cursor(file, {run.begin, run.end}); !cursor.at_end();) {
-            row.offset = cursor.at();
-            if (!plain.read(cursor, row, usual_length)) {
-                const Lines lines = cursor.line();
-                if (!read_node_row(file, list, lines, usual_length, diagnostics, row)) continue;
-                usual_length = without_return(lines.line()).size();
+            release.at(cursor.at());
+            if (const std::size_t count = plain.read(cursor, rows, usual_length)) {
+                row.angles = rows.angles;
+                for (std::size_t i = 0; i < count; ++i) {
+                    row.id = rows.ids[i];
+                    row.position = rows.places[i];
+                    use(row);
+                }
+                continue;
             }
+            const Lines lines = cursor.line();
+            if (!read_node_row(file, list, lines, usual_length, diagnostics, row)) continue;
+            usual_length = without_return(lines.line()).size();
             use(row);
-            release.at(row.offset);
         }
     }
 }
@@ -271,35 +284,52 @@ void for_each_value_row(
     const ListFile& file,
     const List& list,
     Diagnostics* diagnostics,
-    const std::function<void(const ValueRow&)>& use
+    const std::function<void(const ValueRow&)>& use,
+    const std::function<void(const ValueRows&)>& use_many
 ) {
     std::size_t usual_length = 0;
     ValueParser parser(list.head);
     ValueRow row;
     ReleaseBehind release(file.input);
-    row.values = parser.values();
+    const auto use_each = [&](const ValueRows& rows, std::size_t offset, std::size_t length) {
+        const std::size_t columns = list.head.columns.size();
+        row.has_bad_value = false;
+        for (std::size_t i = 0; i < rows.ids.size(); ++i) {
+            row.id = rows.ids[i];
+            row.values = rows.values.subspan(i * columns, columns);
+            row.offset = offset + i * length;
+            use(row);
+        }
+    };
     for (const RowRun& run : list.runs) {
         for (RowCursor cursor(file, {run.begin, run.end}); !cursor.at_end();) {
             row.offset = cursor.at();
-            if (!parser.parse_plain(cursor, row.id, usual_length)) {
-                const Lines lines = cursor.line();
-                if (!is_digit(first_mark(lines.line()))) {
-                    read_element_line(lines.line(), row);
-                    continue;
-                }
-                const RowKind kind = parser.parse(lines.line(), row.id);
-                if (kind == RowKind::Text) {
-                    report_text(file, lines, diagnostics);
-                    continue;
-                }
-                if (is_cut(file, lines, usual_length, diagnostics)) continue;
-                if (kind == RowKind::Bad)
-                    throw_bad_row(file, lines, fmt::format("{} values", list.head.columns.size()));
-                usual_length = without_return(lines.line()).size();
+            release.at(row.offset);
+            const ValueRows rows = parser.parse_plain(cursor, usual_length);
+            if (!rows.ids.empty()) {
+                if (use_many)
+                    use_many(rows);
+                else
+                    use_each(rows, row.offset, (cursor.at() - row.offset) / rows.ids.size());
+                continue;
             }
+            const Lines lines = cursor.line();
+            if (!is_digit(first_mark(lines.line()))) {
+                read_element_line(lines.line(), row);
+                continue;
+            }
+            const RowKind kind = parser.parse(lines.line(), row.id);
+            if (kind == RowKind::Text) {
+                report_text(file, lines, diagnostics);
+                continue;
+            }
+            if (is_cut(file, lines, usual_length, diagnostics)) continue;
+            if (kind == RowKind::Bad)
+                throw_bad_row(file, lines, fmt::format("{} values", list.head.columns.size()));
+            usual_length = without_return(lines.line()).size();
+            row.values = parser.values();
             row.has_bad_value = parser.has_bad_value();
             use(row);
-            release.at(row.offset);
         }
     }
 }

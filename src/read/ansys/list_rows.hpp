@@ -21,7 +21,6 @@ struct NodeRow {
     std::int64_t id = 0;
     Point3 position{};
     NodalAngles angles{};
-    std::size_t offset = 0;  ///< Of its line.
 };
 
 struct ElementRowIds {
@@ -52,10 +51,16 @@ struct ValueRow {
     std::size_t offset = 0;
 };
 
+/// Rows one after the other, with a number in every column.
+struct ValueRows {
+    std::span<const std::int64_t> ids;
+    std::span<const float> values;  ///< As many of each row.
+};
+
 // Each throws Error(BadNumber) for a row that cannot be understood. A last row that the file does not end and
 // that is shorter than the others is left out (TruncatedInput); lines that are no rows are counted
 // (UnknownBlock). Without diagnostics nothing is reported: for a second pass. Runs that were taken go to
-// use_taken where there is one.
+// use_taken where there is one, plain rows of values to use_many.
 void for_each_node(
     const ListFile& file,
     const List& list,
@@ -76,7 +81,8 @@ void for_each_value_row(
     const ListFile& file,
     const List& list,
     Diagnostics* diagnostics,
-    const std::function<void(const ValueRow&)>& use
+    const std::function<void(const ValueRow&)>& use,
+    const std::function<void(const ValueRows&)>& use_many = nullptr
 );
 
 /// Significant digits of the longest number in the list's first rows.

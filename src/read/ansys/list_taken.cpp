@@ -2,6 +2,7 @@
 #include "read/ansys/list_taken.hpp"
 
 #include "base/columns.hpp"
+#include "base/count_character.hpp"
 #include "base/eight_digits.hpp"
 #include "base/huge_pages.hpp"
 #include "read/ansys/list_element_lines.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <limits>
 
 namespace feelem::ansys {
@@ -48,6 +48,9 @@ bool has_too_many_runs(const List& list) {
 bool AlikeElements::read(std::string_view text, std::uint32_t& id, std::uint32_t* nodes) const {
     if (length_ == 0 || text.size() < length_) return false;
     const char* at = text.data();
+    constexpr std::size_t kAhead = 1024;  // What will be read soon, beyond the end too.
+    __builtin_prefetch(at + kAhead);
+    __builtin_prefetch(at + kAhead + 64);
     std::int64_t number = 0;
     if (!fast_integer(at, id_end_, number) || number > std::numeric_limits<std::uint32_t>::max())
         return false;
@@ -155,19 +158,21 @@ std::size_t RowTaker::take_nodes(List& list, std::size_t at, bool new_run) {
     if (has_too_many_runs(list)) return at;
     const std::size_t size = file_.input.size();
     RowCursor cursor(file_, {at, size});
-    NodeRow row;
+    NodeRows rows;
     TakenRows& taken = list.taken;
     std::size_t length = 0, end = at;
     const std::size_t before = taken.node_ids.size();
-    while (!cursor.at_end() && end < at + kPieceOfFile && nodes_->read(cursor, row, length)) {
-        if (row.angles != NodalAngles{}) {
+    while (!cursor.at_end() && end < at + kPieceOfFile) {
+        const std::size_t count = nodes_->read(cursor, rows, length);
+        if (count == 0) break;
+        if (rows.angles != NodalAngles{}) {
             nodes_.reset();  // They are kept elsewhere.
             break;
         }
-        grow_by_text(taken.node_ids, size - end, cursor.at() - end);
-        grow_by_text(taken.places, size - end, cursor.at() - end);
-        taken.node_ids.push_back(NodeId{row.id});
-        taken.places.push_back(row.position);
+        grow_by_text(taken.node_ids, size - end, (cursor.at() - end) / count, count);
+        grow_by_text(taken.places, size - end, (cursor.at() - end) / count, count);
+        for (std::size_t i = 0; i < count; ++i) taken.node_ids.push_back(NodeId{rows.ids[i]});
+        taken.places.insert(taken.places.end(), rows.places.begin(), rows.places.begin() + count);
         end = cursor.at();
     }
     const std::size_t count = taken.node_ids.size() - before;
@@ -182,62 +187,91 @@ std::size_t RowTaker::take_nodes(List& list, std::size_t at, bool new_run) {
 std::size_t RowTaker::take_elements(List& list, std::size_t at, bool new_run) {
     if (has_too_many_runs(list)) return at;
     const std::string_view text = file_.input.text();
-    TakenRows& taken = list.taken;
-    std::uint32_t id = 0;
-    std::array<std::uint32_t, kMostIds> nodes;  // NOLINT: all that are used are written
-    if (elements_.read(text.substr(at), id, nodes.data())) {
+    constexpr std::size_t kAtOnce = 32;
+    std::array<std::uint32_t, kAtOnce> ids;               // NOLINT: all that are used are written
+    std::array<std::uint32_t, kAtOnce * kMostIds> nodes;  // NOLINT
+    if (elements_.read(text.substr(at), ids[0], nodes.data())) {
         elements_.found_alike();
     } else {
         if (indent_of(text.substr(at, kContinuationIndent)) == kContinuationIndent) return at;
         elements_.learn(text.substr(at), file_.line_end);
-        if (!elements_.read(text.substr(at), id, nodes.data())) return at;
+        if (!elements_.read(text.substr(at), ids[0], nodes.data())) return at;
         new_run = true;
     }
     RowRun& run = run_for(list, at, new_run);
     run.nodes_each = elements_.nodes();
     run.material = elements_.material();
     run.type = elements_.type();
-    run.end = at;
-    const std::size_t length = elements_.length();
-    const std::size_t width = run.nodes_each;
-    do {
-        grow_by_text(taken.element_ids, text.size() - run.end, length);
-        const std::size_t used = taken.element_nodes.size();
-        if (taken.element_nodes.capacity() < used + kMostIds)
-            reserve_big(
-                taken.element_nodes, used + used / 2 + kMostIds + (text.size() - run.end) / length * width
-            );
-        taken.element_ids.push_back(ElementId{id});
-        for (std::size_t i = 0; i < width; ++i) taken.element_nodes.push_back(NodeIndex{nodes[i]});
-        ++run.taken;
-        run.end += length;
-        list.rows += elements_.lines();
-        if (run.end > at + length) elements_.found_alike();
-    } while (run.end < at + kPieceOfFile && elements_.read(text.substr(run.end), id, nodes.data()));
-    return run.end;
+    const std::size_t length = elements_.length(), width = run.nodes_each;
+    std::size_t end = at + length;
+    bool goes_on = true;
+    for (std::size_t count = 1; goes_on; count = 0) {
+        for (; count < kAtOnce && goes_on; end += goes_on ? length : 0) {
+            goes_on = end < at + kPieceOfFile &&
+                      elements_.read(text.substr(end), ids[count], nodes.data() + count * width);
+            count += goes_on ? 1 : 0;
+        }
+        add_elements(list, std::span(ids).first(count), std::span(nodes).first(count * width), end);
+    }
+    run.taken += (end - at) / length;
+    run.end = end;
+    list.rows += (end - at) / length * elements_.lines();
+    if (end > at + length) elements_.found_alike();
+    return end;
+}
+
+/// `end`: where they end.
+void RowTaker::add_elements(
+    List& list, std::span<const std::uint32_t> ids, std::span<const std::uint32_t> nodes, std::size_t end
+) {
+    std::vector<ElementId>& all_ids = list.taken.element_ids;
+    std::vector<NodeIndex>& all_nodes = list.taken.element_nodes;
+    const std::size_t left = file_.input.size() - end, length = elements_.length(), used = all_nodes.size();
+    grow_by_text(all_ids, left, length, ids.size());
+    if (all_nodes.capacity() < used + nodes.size())
+        reserve_big(all_nodes, used + used / 2 + nodes.size() + left / length * elements_.nodes());
+    for (const std::uint32_t id : ids) all_ids.push_back(ElementId{id});
+    all_nodes.resize(used + nodes.size());
+    std::ranges::transform(nodes, all_nodes.begin() + static_cast<std::ptrdiff_t>(used), [](auto id) {
+        return NodeIndex{id};
+    });
+}
+
+/// How many rows of `length` begin there: a blank and later a digit (whatever stands in the first column may
+/// be another thing), and a line's end at the end and nowhere else.
+std::size_t RowTaker::rows_of_length(std::string_view text, std::size_t length) const {
+    const std::size_t most = text.size() / length;
+    std::size_t rows = 0;
+    for (; rows < most; ++rows) {
+        const char* row = text.data() + rows * length;
+        const std::uint64_t others = load8(row) ^ kEightBlanks;
+        if ((others & 0xFF) != 0 || others == 0 || !is_digit(row[std::countr_zero(others) / 8]) ||
+            row[length - 1] != file_.line_end)
+            break;
+    }
+    if (count_character(text.substr(0, rows * length), file_.line_end) == rows) return rows;
+    const auto is_one_line = [&](std::size_t i) {
+        return text.find(file_.line_end, i * length) == (i + 1) * length - 1;
+    };
+    std::size_t good = 0;
+    while (good < rows && is_one_line(good)) ++good;
+    return good;
 }
 
 /// Rows as long as the one before only make their run longer.
 std::size_t RowTaker::pass_values(List& list, std::size_t at) {
     constexpr std::size_t kShortest = 16;
     const std::string_view text = file_.input.text();
-    const std::size_t stop = std::min(text.size(), at + kPieceOfFile);
-    std::size_t end = at;
-    for (; row_length_ >= kShortest && text.size() - end >= row_length_ && end < stop; end += row_length_) {
-        const char* row = text.data() + end;
-        const std::uint64_t others = load8(row) ^ kEightBlanks;
-        // A blank and later a digit: whatever stands in the first column may be another thing.
-        if ((others & 0xFF) != 0 || others == 0 || !is_digit(row[std::countr_zero(others) / 8])) break;
-        if (std::memchr(row, file_.line_end, row_length_) != row + row_length_ - 1) break;
-        ++list.rows;
+    const std::string_view piece = text.substr(at, kPieceOfFile);
+    const std::size_t rows = row_length_ < kShortest ? 0 : rows_of_length(piece, row_length_);
+    if (rows > 0) {
+        list.rows += rows;
+        list.runs.back().end = at + rows * row_length_;
+        return list.runs.back().end;
     }
-    if (end > at) {
-        list.runs.back().end = end;
-    } else {
-        const std::size_t line_end = text.find(file_.line_end, at);
-        row_length_ = line_end == std::string_view::npos ? 0 : line_end + 1 - at;
-    }
-    return end;
+    const std::size_t line_end = text.find(file_.line_end, at);
+    row_length_ = line_end == std::string_view::npos ? 0 : line_end + 1 - at;
+    return at;
 }
 
 void RowTaker::give_back(List& list) {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -64,6 +65,10 @@ public:
 private:
     std::size_t take_nodes(List& list, std::size_t at, bool new_run);
     std::size_t take_elements(List& list, std::size_t at, bool new_run);
+    void add_elements(
+        List& list, std::span<const std::uint32_t> ids, std::span<const std::uint32_t> nodes, std::size_t end
+    );
+    std::size_t rows_of_length(std::string_view text, std::size_t length) const;
     std::size_t pass_values(List& list, std::size_t at);
     static RowRun& run_for(List& list, std::size_t at, bool new_run);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values of one result out of its tables.
+#include "base/huge_pages.hpp"
 #include "model/node_lookup.hpp"
 #include "read/ansys/list_results.hpp"
 
@@ -30,39 +31,50 @@ bool same_row(const float* a, const float* b, std::size_t count) {
     });
 }
 
-/// The columns of a result out of a row.
-void pick(const ListedResult& listed, const ValueRow& row, float* to) {
-    for (std::size_t i = 0; i < listed.columns.size(); ++i) to[i] = row.values[listed.columns[i]];
+/// The columns of a result out of those of a row.
+void pick(const ListedResult& listed, const float* row, float* to) {
+    const std::size_t *column = listed.columns.data(), *const end = column + listed.columns.size();
+    while (column != end) *to++ = row[*column++];
 }
 
 /// Values of a fixed number of rows (nodes or elements): a repeated row must say the same, else the row is
 /// missing.
 class Rows {
 public:
-    Rows(std::size_t rows, std::size_t width)
-        : width_(width), values_(rows * width, kNoValue), seen_(rows), conflict_(rows) {}
+    Rows(std::size_t rows, std::size_t width) : width_(width), seen_(rows) {
+        reserve_big(values_, rows * width);
+        values_.resize(rows * width, kNoValue);
+    }
 
-    void put(const ListedResult& listed, std::size_t at, const ValueRow& row, Losses& losses) {
+    void put(const ListedResult& listed, std::size_t at, const float* row, Losses& losses) {
         float* here = values_.data() + at * width_;
-        if (!seen_[at]) {
-            seen_[at] = true;
+        if (seen_[at] == 0) {
+            seen_[at] = 1;
             pick(listed, row, here);
             return;
         }
         scratch_.resize(width_);
         pick(listed, row, scratch_.data());
         if (same_row(here, scratch_.data(), width_)) return;
-        conflict_[at] = true;
+        conflicts_.push_back(at);
         ++losses.conflicts;
     }
 
-    std::size_t seen() const { return static_cast<std::size_t>(std::ranges::count(seen_, true)); }
+    /// Rows one after the other of which all columns are used as they stand. False, and nothing done: one of
+    /// them was there before.
+    bool put_all(std::size_t first, std::span<const float> rows) {
+        const auto seen = std::span(seen_).subspan(first, rows.size() / width_);
+        if (std::ranges::find(seen, 1) != seen.end()) return false;
+        std::ranges::fill(seen, 1);
+        std::ranges::copy(rows, values_.begin() + static_cast<std::ptrdiff_t>(first * width_));
+        return true;
+    }
+
+    std::size_t seen() const { return static_cast<std::size_t>(std::ranges::count(seen_, 1)); }
 
     std::vector<float> finish() {
-        for (std::size_t i = 0; i < conflict_.size(); ++i) {
-            if (conflict_[i])
-                std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(i * width_), width_, kNoValue);
-        }
+        for (const std::size_t at : conflicts_)
+            std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(at * width_), width_, kNoValue);
         return std::move(values_);
     }
 
@@ -70,8 +82,8 @@ private:
     std::size_t width_;
     std::vector<float> values_;
     std::vector<float> scratch_;
-    std::vector<bool> seen_;
-    std::vector<bool> conflict_;
+    std::vector<std::uint8_t> seen_;
+    std::vector<std::size_t> conflicts_;
 };
 
 /// Rows with an owner (part or element), brought into order in the end.
@@ -80,11 +92,16 @@ struct OwnedRows {
     std::vector<NodeIndex> nodes;
     std::vector<float> values;
 
-    void put(const ListedResult& listed, std::uint32_t owner, NodeIndex node, const ValueRow& row) {
+    void put(const ListedResult& listed, std::uint32_t owner, NodeIndex node, const float* row) {
         owners.push_back(owner);
         nodes.push_back(node);
         values.resize(values.size() + listed.columns.size());
         pick(listed, row, values.data() + values.size() - listed.columns.size());
+    }
+    void clear() {
+        owners.clear();
+        nodes.clear();
+        values.clear();
     }
 };
 
@@ -135,21 +152,25 @@ public:
 
 private:
     template <class Use>
-    void each_row(const Table& table, const Use& use) {
-        for_each_table_row(model_, table, diagnostics_, [&](const ValueRow& row) {
+    void each_row(
+        const Table& table, const Use& use, const std::function<void(const ValueRows&)>& use_many = nullptr
+    ) {
+        const auto use_one = [&](const ValueRow& row) {
             if (row.has_bad_value) ++losses_.bad_values;
             use(row);
-        });
+        };
+        for_each_table_row(model_, table, diagnostics_, use_one, use_many);
     }
 
-    /// Calls use(row, node) for the rows of the result's layer: the first or second row of each node.
-    template <class Use>
-    void each_node_row(const Table& table, const Use& use) {
+    /// Calls use(values, node) for the rows of the result's layer: the first or second row of each node;
+    /// before that use_many(rows), which may take some rows at once.
+    template <class Use, class UseMany>
+    void each_node_row(const Table& table, const Use& use, const UseMany& use_many) {
         const bool layered = !table.is_export && model_.files[table.file].lists[table.list].head.has_layers;
         const unsigned wanted = listed_.info.layer == Layer::Bottom ? 2 : 1;
         std::vector<std::uint8_t> rows_of_node(layered ? mesh_.node_count() : 0);
-        each_row(table, [&](const ValueRow& row) {
-            const NodeIndex node = lookup_(NodeId{row.id});
+        const auto use_row = [&](std::int64_t id, const float* values) {
+            const NodeIndex node = lookup_(NodeId{id});
             if (node == kNoNode) {
                 ++losses_.without_place;
                 return;
@@ -160,17 +181,43 @@ private:
                 if (rows == 3) ++losses_.conflicts;
                 if (rows != wanted) return;
             }
-            use(row, node);
-        });
+            use(values, node);
+        };
+        each_row(
+            table,
+            [&](const ValueRow& row) { use_row(row.id, row.values.data()); },
+            [&](const ValueRows& rows) {
+                if (!layered && use_many(rows)) return;
+                const std::size_t columns = rows.values.size() / rows.ids.size();
+                for (std::size_t i = 0; i < rows.ids.size(); ++i)
+                    use_row(rows.ids[i], rows.values.data() + i * columns);
+            }
+        );
+    }
+
+    /// The node of the first of rows whose nodes are one after the other; kNoNode when they are not.
+    NodeIndex first_of_neighbours(std::span<const std::int64_t> ids) const {
+        const NodeIndex first = lookup_(NodeId{ids.front()});
+        if (first == kNoNode || mesh_.node_count() - raw(first) < ids.size()) return kNoNode;
+        const auto wanted = std::span(mesh_.node_ids).subspan(raw(first), ids.size());
+        const bool are_same = std::ranges::equal(ids, wanted, {}, {}, raw<NodeId>);
+        return are_same ? first : kNoNode;
     }
 
     Result nodal() {
         Rows rows(mesh_.node_count(), listed_.columns.size());
-        for (const Table& table : listed_.tables) {
-            each_node_row(table, [&](const ValueRow& row, NodeIndex node) {
-                rows.put(listed_, raw(node), row, losses_);
-            });
-        }
+        std::vector<std::size_t> all_columns(listed_.columns.size());
+        std::iota(all_columns.begin(), all_columns.end(), std::size_t{0});
+        const auto put_many = [&](const ValueRows& some) {
+            if (listed_.columns != all_columns || some.values.size() != some.ids.size() * all_columns.size())
+                return false;
+            const NodeIndex first = first_of_neighbours(some.ids);
+            return first != kNoNode && rows.put_all(raw(first), some.values);
+        };
+        const auto put_one = [&](const float* row, NodeIndex node) {
+            rows.put(listed_, raw(node), row, losses_);
+        };
+        for (const Table& table : listed_.tables) each_node_row(table, put_one, put_many);
         note_part_of_model(rows.seen(), mesh_.node_count(), "nodes");
         return {listed_.info, rows.finish(), {}, {}};
     }
@@ -182,15 +229,16 @@ private:
                 each_row(table, [&](const ValueRow&) { ++losses_.owners; });
                 continue;
             }
-            each_node_row(table, [&](const ValueRow& row, NodeIndex node) {
+            const auto put = [&](const float* row, NodeIndex node) {
                 rows.put(listed_, raw(*table.part), node, row);
-            });
+            };
+            each_node_row(table, put, [](const ValueRows&) { return false; });
         }
         return sorted_result(listed_, std::move(rows), losses_);
     }
 
     Result elemental() {
-        const ElementFinder find(mesh_);
+        ElementFinder find(mesh_);
         Rows rows(mesh_.element_count(), listed_.columns.size());
         for (const Table& table : listed_.tables) {
             each_row(table, [&](const ValueRow& row) {
@@ -198,7 +246,7 @@ private:
                 if (element == kNoElement)
                     ++losses_.without_place;
                 else
-                    rows.put(listed_, raw(element), row, losses_);
+                    rows.put(listed_, raw(element), row.values.data(), losses_);
             });
         }
         note_part_of_model(rows.seen(), mesh_.element_count(), "elements");
@@ -206,7 +254,7 @@ private:
     }
 
     Result element_nodal() {
-        const ElementFinder find(mesh_);
+        ElementFinder find(mesh_);
         OwnedRows rows;
         std::vector<std::int64_t> nodes;  // Of the element that is being read.
         OwnedRows of_element;
@@ -214,7 +262,7 @@ private:
         const auto close = [&] {
             take_layer(nodes, of_element, rows);
             nodes.clear();
-            of_element = {};
+            of_element.clear();
         };
         for (const Table& table : listed_.tables) {
             each_row(table, [&](const ValueRow& row) {
@@ -223,7 +271,7 @@ private:
                 const ElementIndex index = find(row.element);
                 const NodeIndex node = lookup_(NodeId{row.id});
                 nodes.push_back(row.id);
-                of_element.put(listed_, raw(index), node, row);
+                of_element.put(listed_, raw(index), node, row.values.data());
             });
         }
         close();
@@ -313,10 +361,17 @@ ElementFinder::ElementFinder(const Mesh& mesh) {
     std::ranges::sort(indices_);
 }
 
-ElementIndex ElementFinder::operator()(std::int64_t id) const {
+ElementIndex ElementFinder::operator()(std::int64_t id) {
+    for (std::size_t at = last_; at < std::min(last_ + 2, indices_.size()); ++at) {
+        if (indices_[at].first != id || (at > 0 && indices_[at - 1].first == id)) continue;
+        last_ = at;
+        return ElementIndex{indices_[at].second};
+    }
     const auto found =
         std::ranges::lower_bound(indices_, id, {}, &std::pair<std::int64_t, std::uint32_t>::first);
-    return found == indices_.end() || found->first != id ? kNoElement : ElementIndex{found->second};
+    if (found == indices_.end() || found->first != id) return kNoElement;
+    last_ = static_cast<std::size_t>(found - indices_.begin());
+    return ElementIndex{found->second};
 }
 
 Result load_values(
