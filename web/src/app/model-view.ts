@@ -4,9 +4,17 @@ import { Vector3 } from "three";
 import { automaticDeformationFactor, type ValueRange } from "../present";
 import { type Cut, Picker } from "../probe";
 import { ModelObject } from "../render";
-import { boundOf, isPreview, onShape, type SceneData, type SceneResult, type SceneStep } from "../scene";
-import { boundText, unitText } from "../ui";
+import {
+  isPreview,
+  onShape,
+  type SceneData,
+  type SceneLevel,
+  type SceneResult,
+  type SceneStep,
+} from "../scene";
+import { unitText } from "../ui";
 import { largestOf, toVectors } from "./displacements";
+import { covers, drawnOf, levelWords } from "./level-words";
 import {
   colourEffect,
   colourEntry,
@@ -319,23 +327,33 @@ export class ModelView {
     this.applyGhost();
   }
 
+  /** The step whose values are drawn: the one before, until another one has come. */
+  get #drawnStep(): number {
+    return Number.isNaN(this.#loadedStep) ? this.#store.state.step : this.#loadedStep;
+  }
+
+  /** Whether a level of detail states how wrong it may be of what is drawn now: the result that is seen, and the shape. */
+  isCovered(level: SceneLevel): boolean {
+    const step = this.#drawnStep;
+    const shape = this.factor === 0 ? null : this.shapeResult;
+    const all = [this.shownAs("colour")?.result, shape, this.#imaginaryOf(shape, step)];
+    return covers(
+      level,
+      all.flatMap((result) => drawnOf(result, step)),
+    );
+  }
+
   /** What may be wrong with the picture while a reduced level is drawn; empty: nothing is. */
   get levelText(): string {
     const level = this.scene.extras.levels?.[this.model.level - 1];
     if (!level) return "";
     const colour = this.shownAs("colour");
-    const ofLevel = (result: SceneResult | null | undefined, step: number): number =>
-      level.values.find((v) => v.result === result?.id && v.step === step)?.bound ?? Number.NaN;
-    const { minus } = colour?.result ?? {};
-    const { step } = this.#store.state;
-    const drawn = minus
-      ? ofLevel(minus.result, step) + ofLevel(minus.result, minus.step)
-      : ofLevel(colour?.result, step);
-    // What a compressed scene has rounded comes on top.
-    const bound = drawn + (colour?.result ? boundOf(colour.result) : 0);
     const unit = unitText(colour?.unit ?? "");
-    const own = Number.isFinite(bound) ? ` (±${boundText(bound)}${unit ? ` ${unit}` : ""})` : "";
-    return `values within ±${boundText(100 * (level.bound + (this.scene.extras.valueBound ?? 0)))} %${own}`;
+    return levelWords(level, this.scene.extras, {
+      result: colour?.result ?? null,
+      step: this.#drawnStep,
+      unit,
+    });
   }
 
   /** Diagonal of the undeformed box, model units. */

@@ -12,8 +12,9 @@ export interface TinyOptions {
   times?: number;
   /** The mode of step 2 has an imaginary part. */
   complex?: boolean;
-  /** Bars have a level of detail: their twelve triangles from corner to corner. */
-  levels?: boolean;
+  /** Bars have a level of detail: their twelve triangles from corner to corner. "of temperature": no other result has a
+   * bound, but the displacement of step 1. */
+  levels?: boolean | "of temperature";
   /** The bar swollen to a ball of 60 mm, with this temperature everywhere. */
   ball?: number;
 }
@@ -408,7 +409,12 @@ function cornerTriangles(skin: Skin): number[] {
 }
 
 /** A level that promises a fiftieth of everything. */
-function writeLevel(writer: GlbWriter, skins: Skin[], results: { id: string; values: { step: number }[] }[]) {
+function writeLevel(
+  writer: GlbWriter,
+  skins: Skin[],
+  results: { id: string; values: { step: number }[] }[],
+  isBound: (result: string, step: number) => boolean,
+) {
   const lists = skins.map(cornerTriangles);
   const indices = lists.map((list, bar) => {
     writer.add(`p${bar}/indices/lod1`, Uint32Array.from(list), "SCALAR");
@@ -416,7 +422,9 @@ function writeLevel(writer: GlbWriter, skins: Skin[], results: { id: string; val
   });
   const triangles = lists.reduce((sum, list) => sum + list.length / 3, 0);
   const values = results.flatMap(({ id, values }) =>
-    values.map(({ step }) => ({ result: id, step, bound: 0.123, max: 0.1, shown: 0.1 })),
+    values
+      .filter(({ step }) => isBound(id, step))
+      .map(({ step }) => ({ result: id, step, bound: 0.123, max: 0.1, shown: 0.1 })),
   );
   return { triangles, indices, bound: 0.02, samples: 0, distance: { bound: 0.1, max: 0 }, values };
 }
@@ -483,6 +491,8 @@ export function tinyScene(options: TinyOptions = {}): TinyScene {
     triangles: skin.elements.length,
     elements: `p${bar}/elements`,
   }));
+  const isBound = (id: string, step: number) =>
+    options.levels !== "of temperature" || id === "temperature" || (id === "displacement" && step === 1);
   const feelem = {
     version: 1,
     title: "Bar",
@@ -493,7 +503,7 @@ export function tinyScene(options: TinyOptions = {}): TinyScene {
     parts,
     steps,
     results,
-    ...(options.levels ? { levels: [writeLevel(writer, skins, results)] } : {}),
+    ...(options.levels ? { levels: [writeLevel(writer, skins, results, isBound)] } : {}),
     texcoords: [],
     deformation: { result: "displacement", step: 1, factor: 1 },
     presentation: TINY_PRESENTATION,

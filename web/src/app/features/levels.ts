@@ -15,7 +15,18 @@ export class Levels implements Feature {
     this.#app = app;
     this.#all = app.view.scene.parts.reduce((sum, part) => sum + part.indices.length / 3, 0);
     app.atEnd(app.stage.onFrame(() => this.#choose()));
-    app.atEnd(app.stage.onPicture(() => this.#draw(levelWithin(app.mostTriangles, this.#all, this.#counts))));
+    app.atEnd(app.stage.onPicture(() => this.#draw(this.#within(app.mostTriangles))));
+  }
+
+  /** Of those levels alone whose certificate says how wrong they may be of what is drawn; 0, all triangles, when none does. */
+  #within(budget: number): number {
+    if (this.#all <= budget) return 0;
+    const { scene } = this.#app.view;
+    const covered = (scene.extras.levels ?? []).flatMap((level, i) =>
+      this.#app.view.isCovered(level) ? [{ number: i + 1, triangles: level.triangles }] : [],
+    );
+    const counts = covered.map(({ triangles }) => triangles);
+    return covered[levelWithin(budget, this.#all, counts) - 1]?.number ?? 0;
   }
 
   get #counts(): readonly number[] {
@@ -26,7 +37,7 @@ export class Levels implements Feature {
     const { stage, mostTriangles } = this.#app;
     const headset = stage.renderer.xr.isPresenting ? HEADSET_TRIANGLES : Number.POSITIVE_INFINITY;
     const budget = Math.min(stage.quality.drawn.triangles, headset, mostTriangles);
-    this.#draw(levelWithin(budget, this.#all, this.#counts));
+    this.#draw(this.#within(budget));
   }
 
   #draw(level: number): void {
