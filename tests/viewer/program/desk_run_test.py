@@ -4,10 +4,12 @@
 
 desk_run_test.py FEELEM_XR FEELEM PROJECT SCRATCH SCRIPTED_RUNTIME.json
 """
+import ctypes
 import json
 import os
 import pathlib
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -62,6 +64,12 @@ def read_png(path):
     return width, height, rows
 
 
+def die_with_parent():
+    """For preexec_fn: a test that is killed leaves nothing running."""
+    pr_set_pdeathsig = 1
+    ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGKILL)
+
+
 class Screen:
     """An X server of our own, which nobody sees."""
 
@@ -69,7 +77,7 @@ class Screen:
         reading, writing = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x800x24", "-nolisten", "tcp"],
-            pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            pass_fds=[writing], preexec_fn=die_with_parent, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as told:
             number = told.readline().strip()

@@ -51,7 +51,8 @@ function automatic(presented: Presented, step: number, fields: Fields): { lo: nu
 export function rangeOf(presented: Presented, step: number, fields: Fields): ValueRange {
   const { lo, hi, scale } = presented;
   const stored = lo !== null && hi !== null ? { lo, hi } : null;
+  // Ends that only the converter finds, or that nobody has typed, are not there in every file.
   const typed = presented.rangeMode === "manual" || presented.rangeMode === "percentile";
-  const range = typed ? stored : (automatic(presented, step, fields) ?? stored);
+  const range = (typed && stored) || (automatic(presented, step, fields) ?? stored);
   return { lo: range?.lo ?? 0, hi: range?.hi ?? 1, scale };
 }

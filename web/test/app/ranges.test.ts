@@ -27,6 +27,19 @@ test("typed_range_is_taken_as_it_is", () => {
   expect(rangeOf(shown(typed, "T"), 2, [])).toMatchObject({ lo: 7, hi: 3 });
 });
 
+test("range_whose_ends_are_left_open_is_the_results_own", () => {
+  for (const mode of ["percentile", "manual"])
+    for (const ends of [{}, { lo: 40 }, { hi: 90 }]) {
+      const results = doc.results!.map((r) => (r.key === "T" ? { ...r, range: { mode, ...ends } } : r));
+      const open = { ...doc, results } as PresentationDoc;
+
+      expect(rangeOf(shown(open, "T"), 2, []), mode).toMatchObject({ lo: 50, hi: 190 });
+    }
+  const found = setRange(doc, "T", { mode: "percentile", lo: 40, hi: 90 });
+
+  expect(rangeOf(shown(found, "T"), 2, [])).toMatchObject({ lo: 40, hi: 90 });
+});
+
 test("component_without_stated_extremes_takes_those_of_the_skin_and_leaves_missing_out", async () => {
   const stress = scene.extras.results.find((r) => r.id === "stress_von_mises")!;
   const vector = scene.extras.results.find((r) => r.id === "displacement")!;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looking at the model: parts, hot spots, limits, sections, notes. Everything by its values and by what is drawn.
 import assert from "node:assert/strict";
-import { openPage, pixelOf, until } from "./harness.mjs";
+import { openPage, pixelOf, pixelsOf, until } from "./harness.mjs";
 import { readScene } from "./oracle.mjs";
 
 const state = () => window.feelem.state();
@@ -89,6 +89,43 @@ export const lookTests = [
       const background = await pixelOf(page, await page.screenshot(), corner.x, corner.y);
       assert.notDeepEqual(before, after);
       assert.deepEqual(after, background);
+      await context.close();
+      await close();
+    },
+  },
+  {
+    name: "parts_that_are_hidden_have_no_ghost",
+    async run({ browser, serveTiny }) {
+      const { url, close } = await serveTiny({ bars: 2 });
+      const { page, context } = await openPage(browser, url);
+      for (const key of ["x", "e", "f"]) await page.keyboard.press(key);
+      // From +z the first bar lies to the lower left, and there alone.
+      await viewFrom(page, "+z");
+      await page.mouse.move(5, 5);
+      const section = await unfold(page, "parts");
+      const { x, y } = await middle(page, -175, 0);
+      const points = [...Array(185 * 100).keys()].map((k) => [x + (k % 185), y + Math.floor(k / 185)]);
+      const others = points.slice(0, 9000).map((_, k) => [x + 245 + (k % 110), y - 60 + Math.floor(k / 110)]);
+      const picture = async (ghost) => {
+        await page.locator(".area-stage canvas").focus();
+        if ((await page.evaluate(state)).ghost !== ghost) await page.keyboard.press("u");
+        await until(page, state, (s) => s.ghost === ghost, "the ghost");
+        await page.waitForTimeout(200);
+        const png = await page.screenshot();
+        return [await pixelsOf(page, png, points), await pixelsOf(page, png, others)].map((list) =>
+          list.map(String),
+        );
+      };
+      const drawnByGhost = async () => {
+        const [with_, without] = [await picture(true), await picture(false)];
+        return with_.map((list, k) => list.filter((colour, i) => colour !== without[k][i]).length);
+      };
+      const [first, second] = await drawnByGhost();
+      assert.ok(first > 40 && second > 40, `${first} and ${second}`);
+      await section.getByLabel("show bar", { exact: true }).click();
+      const [gone, left] = await drawnByGhost();
+      assert.equal(gone, 0);
+      assert.equal(left, second);
       await context.close();
       await close();
     },
