@@ -128,7 +128,7 @@ public:
     void fail(const std::string& text, std::chrono::milliseconds patience) {
         if (!opening_ || !server_) return;
         opening_->fail(text);
-        if (!opening_->was_asked() && !is_browser_open_) return;
+        if (!opening_->has_guests() && !is_browser_open_) return;
         if (opening_->wait_until_told(patience)) std::this_thread::sleep_for(std::chrono::milliseconds(200));
     }
     void stop() { server_->stop(); }

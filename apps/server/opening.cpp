@@ -58,9 +58,14 @@ void Opening::fail(const std::string& text) {
     changed();
 }
 
-bool Opening::was_asked() {
+bool Opening::has_guests() {
     const std::lock_guard lock(mutex_);
-    return was_asked_;
+    return has_guests_;
+}
+
+void Opening::welcome() {
+    const std::lock_guard lock(mutex_);
+    has_guests_ = true;
 }
 
 bool Opening::wait_until_told(std::chrono::milliseconds time) {
@@ -87,7 +92,6 @@ std::string Opening::json() const {
 void Opening::answer_progress(const Exchange& exchange, const IsGone& is_gone) {
     const std::uint64_t after = version_asked(exchange.request);
     std::unique_lock lock(mutex_);
-    was_asked_ = true;
     // A version from another run of this server is no reason to wait.
     wait(lock, is_gone, [&] { return version_ != after || state_ != State::Reading; });
     exchange.response.status = 200;

@@ -26,12 +26,13 @@ public:
     void progress(std::string_view stage, double fraction);
     void finish();                       ///< The scene is there, whole.
     void fail(const std::string& text);  ///< It will never be.
-    bool was_asked();                    ///< Somebody wanted to know how far it is.
+    bool has_guests();                   ///< Somebody has come to see it.
     /// True once somebody was told that it failed; waits so long for it.
     bool wait_until_told(std::chrono::milliseconds time);
 
     // By who serves. `is_gone`: whether the other side still waits.
     using IsGone = std::function<bool()>;
+    void welcome();  ///< The page was asked for.
     /// "/opening": at once, or with `after=VERSION` when there is news.
     void answer_progress(const Exchange& exchange, const IsGone& is_gone);
     /// "/shape.glb"; null once the scene is there.
@@ -58,7 +59,7 @@ private:
     std::uint64_t version_ = 1;
     std::string stage_ = "results", text_;
     int percent_ = 0;
-    bool was_asked_ = false;
+    bool has_guests_ = false;
     bool was_told_ = false;  ///< That it failed.
 };
 

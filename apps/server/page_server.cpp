@@ -209,6 +209,7 @@ void PageServer::State::answer(
     }
     const std::string& path = exchange.request.path;
     if (const auto asset = assets.find(path == "/" ? "/index.html" : path); asset != assets.end()) {
+        if (opening) opening->welcome();
         return answer_asset(exchange, asset->second);
     }
     const auto is_gone = [&] { return connection.is_gone(); };

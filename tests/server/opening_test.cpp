@@ -63,6 +63,14 @@ TEST_F(ServedOpening, page_is_told_that_the_scene_may_not_be_there) {
     EXPECT_THAT(body_of(get("/")), HasSubstr("<meta name=\"feelem-opening\" content=\"opening\" />"));
 }
 
+TEST_F(ServedOpening, who_asks_for_the_page_is_a_guest_who_must_be_told_of_the_end) {
+    EXPECT_FALSE(opening_->has_guests());
+    get("/absent");
+    EXPECT_FALSE(opening_->has_guests());
+    get("/");
+    EXPECT_TRUE(opening_->has_guests());
+}
+
 TEST_F(ServedOpening, shape_is_served_and_then_the_scene_in_its_place) {
     const std::string shape = get("/shape.glb");
     EXPECT_EQ(body_of(shape), "glTF the shape");
@@ -115,7 +123,6 @@ TEST_F(ServedOpening, failure_is_told_to_all_who_wait) {
     EXPECT_EQ(status_of(answer), 500);
     EXPECT_THAT(body_of(answer), HasSubstr("is no number"));
     EXPECT_TRUE(opening_->wait_until_told(1s));
-    EXPECT_TRUE(opening_->was_asked());
 }
 
 TEST_F(ServedOpening, questions_to_the_inside_and_side_files_wait_too) {
