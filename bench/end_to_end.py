@@ -3,8 +3,8 @@
 """A whole conversion beside VTK's, in one run: an archive of commands (.cdb, text) to .glb by `feelem convert`, with the digests
 of its input and its arrays, and the same mesh as appended raw .vtu to glTF by vtkXMLUnstructuredGridReader,
 vtkDataSetSurfaceFilter and vtkGLTFWriter. First proves that both found the same skin (facets, area, nodes), then runs them in
-turn with feelem on one core and with the least that any reader of the text does, a mapped scan for line ends. Anonymous memory
-is looked at in runs of its own. Writes bench/results/NAME.json. A wrong answer fails; a slow one does not.
+turn with feelem on one core, with feelem without the digest of its input (which VTK does not make either) and with the least
+that any reader of the text does, a mapped scan for line ends. Anonymous memory is looked at in runs of its own. Writes bench/results/NAME.json. A wrong answer fails; a slow one does not.
 
     bench/end_to_end.py [--side 101] [--runs 9] [--bin build/release/bin] [--work build/bench] [--name end-to-end]"""
 import argparse
@@ -77,7 +77,9 @@ def main():
     glb, gltf = work / f"block{side}-cdb.glb", work / f"block{side}.gltf"
     convert = [options.bin / "feelem", "convert", cdb, "-o", glb]
     one = ["taskset", "-c", "0"]
+    bare = convert + ["--no-input-digest"]
     commands = {"feelem": convert, "feelem, one core": one + convert,
+                "feelem, no digest of the input": bare, "feelem, no digest, one core": one + bare,
                 "VTK": [options.bin / "bench_vtk_block", "gltf", vtu, gltf],
                 "scan": one + [options.bin / "bench_scan_lines", cdb]}
 
@@ -95,8 +97,11 @@ def main():
             for name, found in runs.items()]
     faster = {"than_vtk_wall": ratios(runs["VTK"], runs["feelem"], "wall"), "than_vtk_cpu": ratios(runs["VTK"], runs["feelem"]),
               "than_vtk_one_core_wall": ratios(runs["VTK"], runs["feelem, one core"], "wall"),
+              "than_vtk_no_digest_wall": ratios(runs["VTK"], runs["feelem, no digest of the input"], "wall"),
+              "than_vtk_no_digest_cpu": ratios(runs["VTK"], runs["feelem, no digest of the input"]),
               "two_cores_than_one_wall": ratios(runs["feelem, one core"], runs["feelem"], "wall")}
-    scans = {"wall": ratios(runs["feelem"], runs["scan"], "wall"), "one_core_wall": ratios(runs["feelem, one core"], runs["scan"], "wall")}
+    scans = {"wall": ratios(runs["feelem"], runs["scan"], "wall"), "one_core_wall": ratios(runs["feelem, one core"], runs["scan"], "wall"),
+             "no_digest_one_core_wall": ratios(runs["feelem, no digest, one core"], runs["scan"], "wall")}
     anonymous = max(r.peak_anon for r in watched["feelem"])
     digest = run_process(one + ["openssl", "dgst", "-sha256", cdb], alone=True)
     report = write_report(options.name, {
@@ -106,7 +111,7 @@ def main():
         "peak_anonymous_of_input": round(anonymous / cdb.stat().st_size, 3), "stages": stages_of(watched["feelem"][-1])})
     print(f"{report['what']}\n{report['machine']}, commit {report['commit']}, load {report['load']}")
     for row in rows:
-        print(f"  {row['program']:<18} wall {row['wall']['median']:7.3f} s   CPU {row['cpu']['median']:7.3f} s   peak {row['peak_mib']:7.1f} MiB"
+        print(f"  {row['program']:<30} wall {row['wall']['median']:7.3f} s   CPU {row['cpu']['median']:7.3f} s   peak {row['peak_mib']:7.1f} MiB"
               + (f", anonymous {row['peak_anonymous_mib']:7.1f} MiB" if "peak_anonymous_mib" in row else ""))
     for name, ratio in {**faster, **{f"scans_{key}": value for key, value in scans.items()}}.items():
         print(f"  {name:<26} {ratio['median']:6.2f}  ({ratio['least']} to {ratio['most']})")
