@@ -241,7 +241,7 @@ std::vector<bool> drawing_sides(const FacetsToDraw& drawn, const EdgeTable& edge
 
 /// As much as is known before drawing: growing would hold the arrays twice.
 void reserve(
-    const FacetsToDraw& drawn, const SmoothGroups& groups, const EdgeTable& edges, Surface& surface
+    const FacetsToDraw& drawn, const SmoothGroups& groups, std::size_t edge_count, Surface& surface
 ) {
     std::size_t quads = 0, triangles = 0;
     for (const Outline& facet : drawn.facets) {
@@ -255,7 +255,7 @@ void reserve(
     if (surface.domain == Domain::ElementNode) reserve_big(surface.vertex_element, vertices);
     reserve_big(surface.triangles, triangles);
     reserve_big(surface.triangle_element, triangles);
-    reserve_big(surface.edges, edges.first.size());
+    reserve_big(surface.edges, edge_count);
     reserve_big(surface.blends, quads);
     reserve_big(surface.blend_sources, quads * 4);
     reserve_big(surface.blend_weights, quads * 4);
@@ -265,11 +265,20 @@ void reserve(
 
 void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, const DrawOptions& options, Surface& surface) {
     if (drawn.facets.size() >= kNoVertex / 8) throw Error(Code::TooLarge, "", "more than 536 870 911 facets");
-    const EdgeTable edges = find_edges(drawn.facets);
-    SmoothGroups groups =
-        find_smooth_groups(drawn.facets, drawn.piece_first, edges, mesh.coordinates, options.crease_angle);
-    const std::vector<bool> draws = drawing_sides(drawn, edges);
-    reserve(drawn, groups, edges, surface);
+    SmoothGroups groups;
+    std::vector<bool> draws;
+    std::size_t edge_count = 0;
+    {
+        // The table goes before the surface needs its room.
+        const EdgeTable edges = find_edges(drawn.facets);
+        groups = find_smooth_groups(
+            drawn.facets, drawn.piece_first, edges, mesh.coordinates, options.crease_angle
+        );
+        draws = drawing_sides(drawn, edges);
+        edge_count = edges.first.size();
+        report_facets(mesh, drawn, edges, surface.report);
+    }
+    reserve(drawn, groups, edge_count, surface);
     Drawer drawer(mesh, drawn, std::move(groups), options.pieces, surface);
     const auto size = [](const auto& values) { return static_cast<std::uint32_t>(values.size()); };
     for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {
@@ -293,7 +302,7 @@ void draw_facets(const Mesh& mesh, const FacetsToDraw& drawn, const DrawOptions&
         part.edge_count = size(surface.edges) - part.first_edge;
         surface.parts.push_back(part);
     }
-    report_drawn(mesh, drawn, edges, surface);
+    report_triangles(surface);
 }
 
 }  // namespace feelem

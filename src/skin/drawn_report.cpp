@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skin/drawn_report.hpp"
 
+#include "base/huge_pages.hpp"
 #include "skin/pattern.hpp"
 
 #include <cmath>
@@ -30,38 +31,39 @@ bool is_closed(const FacetsToDraw& drawn, const EdgeTable& edges) {
 
 /// Distinct (part, node) on the facets; pieces of one part follow each other.
 std::uint64_t count_part_nodes(const Mesh& mesh, const FacetsToDraw& drawn) {
-    std::vector<bool> seen(mesh.node_count());
+    ZeroedArray<std::uint8_t> seen(mesh.node_count());
     std::uint64_t count = 0;
     const auto for_each_node = [&](std::size_t piece, auto visit) {
         for (std::uint32_t f = drawn.piece_first[piece]; f < drawn.piece_first[piece + 1]; ++f) {
             const Outline& facet = drawn.facets[f];
-            for (std::size_t i = 0; i < facet.count; ++i) {
-                visit(facet.corners[i]);
-                visit(facet.middles[i]);
+            for (std::size_t i = 0; i < facet.count; ++i) visit(facet.corners[i]);
+            if (facet.has_middles()) {
+                for (std::size_t i = 0; i < facet.count; ++i) {
+                    if (facet.middles[i] != kNoNode) visit(facet.middles[i]);
+                }
             }
-            visit(facet.centre);
+            if (facet.centre != kNoNode) visit(facet.centre);
         }
     };
     std::size_t first_of_part = 0;
     for (std::size_t piece = 0; piece < drawn.pieces.size(); ++piece) {
         for_each_node(piece, [&](NodeIndex node) {
-            if (node == kNoNode || seen[raw(node)]) return;
-            seen[raw(node)] = true;
-            ++count;
+            count += 1U - seen[raw(node)];
+            seen[raw(node)] = 1;
         });
-        const bool part_ends =
-            piece + 1 == drawn.pieces.size() || drawn.pieces[piece + 1].part != drawn.pieces[piece].part;
-        if (!part_ends) continue;
+        const bool another_part_follows =
+            piece + 1 < drawn.pieces.size() && drawn.pieces[piece + 1].part != drawn.pieces[piece].part;
+        if (!another_part_follows) continue;
         for (; first_of_part <= piece; ++first_of_part) {
-            for_each_node(first_of_part, [&](NodeIndex node) {
-                if (node != kNoNode) seen[raw(node)] = false;
-            });
+            for_each_node(first_of_part, [&](NodeIndex node) { seen[raw(node)] = 0; });
         }
     }
     return count;
 }
 
-void measure(Surface& surface) {
+}  // namespace
+
+void report_triangles(Surface& surface) {
     SkinReport& report = surface.report;
     if (surface.positions.empty()) return;
     // Volumes are taken from a vertex, not from the model's origin, which may be far away.
@@ -80,12 +82,9 @@ void measure(Surface& surface) {
     report.triangles = surface.triangles.size();
 }
 
-}  // namespace
-
-void report_drawn(const Mesh& mesh, const FacetsToDraw& drawn, const EdgeTable& edges, Surface& surface) {
-    surface.report.vertices = count_part_nodes(mesh, drawn);
-    surface.report.closed = is_closed(drawn, edges);
-    measure(surface);
+void report_facets(const Mesh& mesh, const FacetsToDraw& drawn, const EdgeTable& edges, SkinReport& report) {
+    report.vertices = count_part_nodes(mesh, drawn);
+    report.closed = is_closed(drawn, edges);
 }
 
 }  // namespace feelem

@@ -10,7 +10,9 @@
 
 namespace feelem {
 
-/// Fills vertices, triangles, closed, area and volume of the surface's report.
-void report_drawn(const Mesh& mesh, const FacetsToDraw& drawn, const EdgeTable& edges, Surface& surface);
+/// Fills vertices and closed of the report, which the facets tell before they are drawn.
+void report_facets(const Mesh& mesh, const FacetsToDraw& drawn, const EdgeTable& edges, SkinReport& report);
+/// Fills triangles, area and volume of the surface's report.
+void report_triangles(Surface& surface);
 
 }  // namespace feelem

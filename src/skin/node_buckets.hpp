@@ -71,9 +71,9 @@ private:
     std::uint32_t count_ = 0;
 };
 
-/// `Slot` has a member `entry`, 0 while it is free. A node's slots are as many as things were counted there,
-/// so that they suffice whatever is looked up, and a node that everything hangs on is searched no longer than
-/// others.
+/// `Slot` has a member `entry`, 0 while it is free, as all its bits are. A node's slots are as many as things
+/// were counted there, so that they suffice whatever is looked up, and a node that everything hangs on is
+/// searched no longer than others.
 template <class Slot>
 class NodeBuckets {
 public:
@@ -82,7 +82,7 @@ public:
     void count(std::uint32_t node) { ++first_[node + 1]; }
     void seal() {
         for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-        slots_ = big_zeros<Slot>(first_.back());
+        slots_ = ZeroedArray<Slot>(first_.back());
     }
     /// The slot for which is_same says so, else a free one. `hash`: 32 good bits.
     template <class IsSame>
@@ -95,7 +95,7 @@ public:
 
 private:
     std::vector<std::uint32_t> first_;
-    std::vector<Slot> slots_;
+    ZeroedArray<Slot> slots_{0};
 };
 
 }  // namespace feelem

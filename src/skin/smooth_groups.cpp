@@ -8,6 +8,7 @@
 
 #include "base/huge_pages.hpp"
 #include "base/parallel.hpp"
+#include "skin/corner_angles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,10 +67,10 @@ private:
 };
 
 /// Per side: the sum of the area vectors of the facet's triangles along it.
-std::vector<Point3> normals_along_sides(
+ZeroedArray<Point3> normals_along_sides(
     std::span<const Outline> facets, std::span<const Point3> coordinates
 ) {
-    auto along = big_zeros<Point3>(facets.size() * 4);
+    ZeroedArray<Point3> along(facets.size() * 4);
     parallel_chunks(facets.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t f = first; f < last; ++f) {
             fetch_places(facets, f, coordinates);
@@ -138,6 +139,33 @@ struct Share {
     Point3 normal{};
 };
 
+Share share_of(std::uint32_t group, double angle, const std::array<float, 3>& normal) {
+    Share share;
+    share.group = group;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        share.normal[axis] = angle * static_cast<double>(normal[axis]);
+    return share;
+}
+
+/// A quad without middles: four triangles, each with two angles that count.
+void add_shares_of_quad(
+    const FacetPlaces& at, const std::uint32_t* group_of_point, std::vector<Share>& shares
+) {
+    EightPairs pairs;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t next = (i + 1) % 4;
+        pairs.set(2 * i, minus(at[next], at[i]), minus(at[kCentre], at[i]));
+        pairs.set(2 * i + 1, minus(at[kCentre], at[next]), minus(at[i], at[next]));
+    }
+    const EightAngles angles = angles_between(pairs);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t next = (i + 1) % 4;
+        const auto normal = unit(area_vector(at[i], at[next], at[kCentre]));
+        shares.push_back(share_of(group_of_point[i], angles[2 * i], normal));
+        shares.push_back(share_of(group_of_point[next], angles[2 * i + 1], normal));
+    }
+}
+
 void add_shares(
     const Outline& facet,
     std::span<const Point3> coordinates,
@@ -145,6 +173,7 @@ void add_shares(
     std::vector<Share>& shares
 ) {
     const FacetPlaces at = places_of(facet, coordinates);
+    if (facet.count == 4 && !facet.has_middles()) return add_shares_of_quad(at, group_of_point, shares);
     for (const FacetTriangle& t : pattern_of(facet)) {
         const auto normal = unit(area_vector(at[t[0]], at[t[1]], at[t[2]]));
         for (std::size_t k = 0; k < 3; ++k) {
@@ -152,22 +181,19 @@ void add_shares(
             const Point3& here = at[t[k]];
             const double angle =
                 angle_between(minus(at[t[(k + 1) % 3]], here), minus(at[t[(k + 2) % 3]], here));
-            Share& share = shares.emplace_back();
-            share.group = group_of_point[t[k]];
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                share.normal[axis] = angle * static_cast<double>(normal[axis]);
+            shares.push_back(share_of(group_of_point[t[k]], angle, normal));
         }
     }
 }
 
 /// Per group. Shares are found by many threads, and added in the order of facets.
-std::vector<Point3> sums_of_normals(
+ZeroedArray<Point3> sums_of_normals(
     std::span<const Outline> facets,
     std::span<const Point3> coordinates,
     const SmoothGroups& groups,
     std::size_t group_count
 ) {
-    auto sums = big_zeros<Point3>(group_count);
+    ZeroedArray<Point3> sums(group_count);
     const std::size_t chunks = thread_count() > 1 ? thread_count() * std::size_t{4} : 1;
     std::vector<std::vector<Share>> found(chunks);
     for (std::size_t start = 0; start < facets.size(); start += chunks * kShareChunk) {
@@ -189,39 +215,7 @@ std::vector<Point3> sums_of_normals(
     return sums;
 }
 
-/// std::atan2(y, x) for y >= 0, to 3e-16 of it: the same bits whatever the C library, and without a call.
-/// S. Moshier's rational approximation up to tan(pi / 8) (Cephes, atan.c).
-double arc_tangent(double y, double x) noexcept {
-    const double side = std::abs(x);
-    const bool steep = y > side;
-    const double low = steep ? side : y, high = steep ? y : side;
-    if (!(high > 0)) return 0;
-    const bool wide = low > 0.41421356237309504880 * high;
-    const double t = (wide ? low - high : low) / (wide ? low + high : high);
-    const double z = t * t;
-    const double p =
-        (((-8.750608600031904122785E-1 * z - 1.615753718733365076637E1) * z - 7.500855792314704667340E1) * z -
-         1.228866684490136173410E2) *
-            z -
-        6.485021904942025371773E1;
-    const double q =
-        ((((z + 2.485846490142306297962E1) * z + 1.650270098316988542046E2) * z + 4.328810604912902668951E2) *
-             z +
-         4.853903996359136964868E2) *
-            z +
-        1.945506571482613964425E2;
-    double angle = t + t * (z * p / q);
-    if (wide) angle = std::numbers::pi / 4 + angle;
-    if (steep) angle = std::numbers::pi / 2 - angle;
-    return x < 0 ? std::numbers::pi - angle : angle;
-}
-
 }  // namespace
-
-double angle_between(const Point3& a, const Point3& b) noexcept {
-    const Point3 c = cross(a, b);
-    return arc_tangent(std::sqrt(dot(c, c)), dot(a, b));
-}
 
 std::array<float, 3> unit(const Point3& vector) noexcept {
     const double length = std::sqrt(dot(vector, vector));
@@ -246,8 +240,8 @@ SmoothGroups find_smooth_groups(
     out.stride = std::ranges::any_of(facets, &Outline::has_middles) ? 8 : 4;
     Joined joined(facets.size() * out.stride);
     {
-        const std::vector<Point3> along = normals_along_sides(facets, coordinates);
-        join_across_edges(joined, facets, pieces, out.stride, edges, along, least_cosine);
+        const ZeroedArray<Point3> along = normals_along_sides(facets, coordinates);
+        join_across_edges(joined, facets, pieces, out.stride, edges, along.span(), least_cosine);
     }
     std::uint32_t count = 0;
     out.of_point = std::move(joined).groups(count, [&](std::uint32_t point) {
@@ -255,9 +249,9 @@ SmoothGroups find_smooth_groups(
         const std::uint32_t k = point % out.stride;
         return k % 4 < facet.count && (k < kFirstMiddle || facet.has_middles());
     });
-    const std::vector<Point3> sums = sums_of_normals(facets, coordinates, out, count);
+    const ZeroedArray<Point3> sums = sums_of_normals(facets, coordinates, out, count);
     reserve_big(out.normals, sums.size());
-    for (const Point3& sum : sums) out.normals.push_back(unit(sum));
+    for (const Point3& sum : sums.span()) out.normals.push_back(unit(sum));
     return out;
 }
 

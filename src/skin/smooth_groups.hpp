@@ -32,8 +32,6 @@ SmoothGroups find_smooth_groups(
     double crease_angle
 );
 
-/// From 0 to pi.
-double angle_between(const Point3& a, const Point3& b) noexcept;
 std::array<float, 3> unit(const Point3& vector) noexcept;
 
 }  // namespace feelem
