@@ -10,6 +10,10 @@
 #include <cstring>
 #include <numbers>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 namespace feelem {
 namespace {
 
@@ -43,56 +47,61 @@ double arc_tangent(double y, double x) noexcept {
 
 #if defined(__x86_64__)
 
-/// Of the compiler: as many instructions as it takes.
-using Eight = double __attribute__((vector_size(64)));
-
-/// The lines of angle_between and arc_tangent. In one function: registers as wide as this are not passed.
-[[gnu::always_inline]] inline void eight_angles(const EightPairs& pairs, EightAngles& out) noexcept {
-    Eight a[3], b[3];
-    std::memcpy(&a, &pairs.a, sizeof a);
-    std::memcpy(&b, &pairs.b, sizeof b);
-    const Eight c0 = a[1] * b[2] - a[2] * b[1], c1 = a[2] * b[0] - a[0] * b[2],
+/// The lines of angle_between and arc_tangent, as many at once as `Lanes` (vectors of the compiler) hold. In
+/// one function: wide registers are not passed.
+template <class Lanes>
+[[gnu::always_inline]] inline void angles_of(
+    const EightPairs& pairs, EightAngles& out, std::size_t first
+) noexcept {
+    Lanes a[3], b[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::memcpy(&a[axis], &pairs.a[axis][first], sizeof(Lanes));
+        std::memcpy(&b[axis], &pairs.b[axis][first], sizeof(Lanes));
+    }
+    const Lanes c0 = a[1] * b[2] - a[2] * b[1], c1 = a[2] * b[0] - a[0] * b[2],
                 c2 = a[0] * b[1] - a[1] * b[0];
-    const Eight squared = c0 * c0 + c1 * c1 + c2 * c2;
-    const Eight x = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    Eight y{};
-    for (std::size_t i = 0; i < EightPairs::kCount; ++i) y[i] = std::sqrt(squared[i]);
-    const Eight zero{};
-    const Eight side = x < zero ? -x : x;
+    const Lanes squared = c0 * c0 + c1 * c1 + c2 * c2;
+    const Lanes x = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    __m128d roots[sizeof(Lanes) / sizeof(__m128d)];
+    std::memcpy(&roots, &squared, sizeof(Lanes));
+    for (__m128d& root : roots) root = _mm_sqrt_pd(root);
+    Lanes y;
+    std::memcpy(&y, &roots, sizeof(Lanes));
+    const Lanes zero{};
+    const Lanes side = x < zero ? -x : x;
     const auto steep = y > side;
-    const Eight low = steep ? side : y, high = steep ? y : side;
+    const Lanes low = steep ? side : y, high = steep ? y : side;
     const auto wide = low > kTanEighth * high;
-    const Eight above = wide ? low - high : low, below = wide ? low + high : high;
-    const Eight t = above / below;
-    const Eight z = t * t;
-    const Eight p =
+    const Lanes above = wide ? low - high : low, below = wide ? low + high : high;
+    const Lanes t = above / below;
+    const Lanes z = t * t;
+    const Lanes p =
         (((-8.750608600031904122785E-1 * z - 1.615753718733365076637E1) * z - 7.500855792314704667340E1) * z -
          1.228866684490136173410E2) *
             z -
         6.485021904942025371773E1;
-    const Eight q =
+    const Lanes q =
         ((((z + 2.485846490142306297962E1) * z + 1.650270098316988542046E2) * z + 4.328810604912902668951E2) *
              z +
          4.853903996359136964868E2) *
             z +
         1.945506571482613964425E2;
-    Eight angle = t + t * (z * p / q);
+    Lanes angle = t + t * (z * p / q);
     angle = wide ? std::numbers::pi / 4 + angle : angle;
     angle = steep ? std::numbers::pi / 2 - angle : angle;
     angle = x < zero ? std::numbers::pi - angle : angle;
     angle = high > zero ? angle : zero;
-    std::memcpy(&out, &angle, sizeof out);
+    std::memcpy(&out[first], &angle, sizeof(Lanes));
 }
 
-__attribute__((target("avx2"))) void eight_angles_with_avx2(
-    const EightPairs& pairs, EightAngles& out
-) noexcept {
-    eight_angles(pairs, out);
+using Four = double __attribute__((vector_size(32)));
+__attribute__((target("avx2"))) void find_with_avx2(const EightPairs& pairs, EightAngles& out) noexcept {
+    angles_of<Four>(pairs, out, 0);
+    angles_of<Four>(pairs, out, 4);
 }
-__attribute__((target("avx512f"))) void eight_angles_with_avx512(
-    const EightPairs& pairs, EightAngles& out
-) noexcept {
-    eight_angles(pairs, out);
+using Eight = double __attribute__((vector_size(64)));
+__attribute__((target("avx512f"))) void find_with_avx512(const EightPairs& pairs, EightAngles& out) noexcept {
+    angles_of<Eight>(pairs, out, 0);
 }
 #endif
 
@@ -117,13 +126,13 @@ EightAngles angles_between_portably(const EightPairs& pairs) noexcept {
 
 bool angles_between_with_avx2(const EightPairs& pairs, EightAngles& out) noexcept {
     if (!__builtin_cpu_supports("avx2")) return false;
-    eight_angles_with_avx2(pairs, out);
+    find_with_avx2(pairs, out);
     return true;
 }
 
 bool angles_between_with_avx512(const EightPairs& pairs, EightAngles& out) noexcept {
     if (!__builtin_cpu_supports("avx512f")) return false;
-    eight_angles_with_avx512(pairs, out);
+    find_with_avx512(pairs, out);
     return true;
 }
 
