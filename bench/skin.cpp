@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Times the skin of a mesh made in memory. `search`: which facets are outer. `compact`: the search, then
 // points and triangles as VTK's filter gives them (compact_skin.hpp). `stage`: the whole stage, as convert
-// runs it, with one result carried: triangles round centres, creases, normals, edges. JSON on stdout, a line
-// each; peers/vtk_skin.cpp says the same of VTK.
+// runs it, with one result carried: triangles round centres, creases, normals, edges. Two floors below which
+// `compact` cannot come, whatever it does: `hash`, the facets' hashes alone, once; `arrays`, what it gives,
+// written in order into new memory. JSON on stdout, a line each; peers/vtk_skin.cpp says the same of VTK.
 #include "feelem/skin.hpp"
 
 #include "base/parallel.hpp"
 #include "compact_skin.hpp"
+#include "model/element_table.hpp"
+#include "skin/facet_batch.hpp"
 #include "skin/facet_cancellation.hpp"
 #include "skin_mesh.hpp"
 
@@ -93,6 +96,38 @@ Used timed(Work work) {
     return used;
 }
 
+/// Hashes of all facets of linear and quadratic solids, and nothing done with them.
+std::uint64_t hash_all(const feelem::Mesh& mesh) {
+    feelem::FacetBatch batch;
+    std::uint64_t any = 0;
+    for (const feelem::ElementBlock& block : mesh.blocks) {
+        const std::size_t width = feelem::element_row(block.type).node_count;
+        for (std::size_t i = 0; i < block.ids.size(); i += feelem::FacetBatch::kElements) {
+            const std::size_t count = std::min(block.ids.size() - i, feelem::FacetBatch::kElements);
+            feelem::hash_facets(
+                {block.type, block.nodes.data() + i * width, count}, feelem::FacetHashes::Signed, batch
+            );
+            any ^= batch.hashes[0];
+        }
+    }
+    return any;
+}
+
+/// A skin of that size, with anything in it.
+bench::CompactSkin any_skin(std::size_t points, std::size_t triangles) {
+    bench::CompactSkin skin(points, triangles);
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+        skin.triangles[i] = {i, i + 1, i + 2};
+        skin.facets[i] = i;
+    }
+    for (std::uint32_t i = 0; i < points; ++i) {
+        skin.points[i] = {1, 2, 3};
+        skin.values[i] = 4;
+        skin.nodes[i] = feelem::NodeIndex{i};
+    }
+    return skin;
+}
+
 /// What is told of the answer, after the clock has stopped.
 Found run(const std::string& stage, const feelem::Mesh& mesh, const feelem::Result& result, Used& used) {
     Found found;
@@ -100,6 +135,21 @@ Found run(const std::string& stage, const feelem::Mesh& mesh, const feelem::Resu
         feelem::OuterFacets outer;
         used = timed([&] { outer = feelem::find_outer_facets(mesh, {}); });
         found.facets = sum_of(mesh, outer);
+    } else if (stage == "hash") {
+        std::uint64_t any = 0;
+        used = timed([&] { any = hash_all(mesh); });
+        found.facets.sum = any;
+    } else if (stage == "arrays") {
+        std::size_t points = 0;
+        {
+            const bench::CompactSkin skin =
+                bench::compact(mesh, feelem::find_outer_facets(mesh, {}).outer, result.values);
+            points = skin.points.size();
+            found.triangles = skin.triangles.size();
+        }
+        bench::CompactSkin skin(0, 0);
+        used = timed([&] { skin = any_skin(points, found.triangles); });
+        found.value_sum = static_cast<double>(skin.values[points / 2]);
     } else if (stage == "compact") {
         bench::CompactSkin skin(0, 0);
         used = timed([&] {

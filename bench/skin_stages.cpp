@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Google Benchmark of the parts of the skin: the hashes of facets with AVX2 and without, the search, the
-// edges and the smooth groups of what it finds. Elements a second, of one thread. bench_skin times the whole.
+// Google Benchmark of the parts of the skin: the hashes of facets with AVX-512, AVX2 and without, the search,
+// the edges and the smooth groups of what it finds. Elements a second, of one thread. bench_skin times the
+// whole.
 #include "base/parallel.hpp"
 #include "skin/edge_table.hpp"
 #include "skin/facet_batch.hpp"
@@ -12,6 +13,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -22,8 +24,14 @@ void tell_elements(benchmark::State& state, std::size_t elements) {
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(elements));
 }
 
+using Hash = bool (*)(feelem::ElementRun, feelem::FacetHashes, feelem::FacetBatch&);
+bool portably(feelem::ElementRun run, feelem::FacetHashes what, feelem::FacetBatch& out) {
+    feelem::hash_facets_portably(run, what, out);
+    return true;
+}
+
 /// Of elements that stream from memory, as in the search.
-void hash(benchmark::State& state, const std::string& kind, bool with_avx2) {
+void hash(benchmark::State& state, const std::string& kind, Hash hash_them) {
     const feelem::Mesh mesh = bench::make_mesh(kind, kCells, "natural");
     const feelem::ElementBlock& block = mesh.blocks.front();
     const std::size_t width = feelem::element_row(block.type).node_count;
@@ -32,11 +40,8 @@ void hash(benchmark::State& state, const std::string& kind, bool with_avx2) {
     for (auto _ : state) {
         for (std::size_t i = 0; i + kAtOnce <= block.ids.size(); i += kAtOnce) {
             const feelem::ElementRun run{block.type, block.nodes.data() + i * width, kAtOnce};
-            if (!with_avx2) {
-                feelem::hash_facets_portably(run, feelem::FacetHashes::Signed, *batch);
-            } else if (!feelem::hash_facets_with_avx2(run, feelem::FacetHashes::Signed, *batch)) {
-                return state.SkipWithError("no AVX2 here");
-            }
+            if (!hash_them(run, feelem::FacetHashes::Signed, *batch))
+                return state.SkipWithError("not on this processor");
             benchmark::DoNotOptimize(batch->hashes[0]);
         }
     }
@@ -81,8 +86,13 @@ void smooth_groups(benchmark::State& state, const std::string& kind) {
 int main(int argc, char** argv) {
     feelem::set_thread_count(1);
     for (const char* kind : {"hex8", "tet4", "hex20", "tet10"}) {
-        benchmark::RegisterBenchmark((std::string("hash/avx2/") + kind).c_str(), hash, kind, true);
-        benchmark::RegisterBenchmark((std::string("hash/portable/") + kind).c_str(), hash, kind, false);
+        const auto add_hash = [&](const char* how, Hash way) {
+            benchmark::RegisterBenchmark((std::string("hash/") + how + kind).c_str(), hash, kind, way);
+        };
+        const bool is_linear = std::string_view(kind) == "hex8" || std::string_view(kind) == "tet4";
+        if (is_linear) add_hash("avx512/", feelem::hash_facets_with_avx512);
+        add_hash("avx2/", feelem::hash_facets_with_avx2);
+        add_hash("portable/", portably);
         benchmark::RegisterBenchmark(
             (std::string("search/natural/") + kind).c_str(), search, kind, "natural"
         );
