@@ -73,34 +73,36 @@ private:
     std::vector<Block> blocks_;
 };
 
-/// Which nodes facets use, and into how many triangles they are cut.
-struct Used {
-    feelem::ZeroedArray<std::uint8_t> nodes;
-    std::size_t triangles = 0;
-};
-
-Used used_by(const FacetNodes& nodes, std::size_t node_count, std::span<const feelem::FacetRef> facets) {
+/// Triangles between nodes of the mesh; a byte for each node, 1 where it is used.
+void cut(
+    const FacetNodes& nodes, std::span<const feelem::FacetRef> facets, std::uint8_t* used, CompactSkin& skin
+) {
     constexpr std::size_t kAhead = 16;
-    Used used{feelem::ZeroedArray<std::uint8_t>(node_count)};
-    const auto use = [&](NodeIndex node) { used.nodes[raw(node)] = 1; };
-    for (std::size_t i = 0; i < facets.size(); ++i) {
+    std::size_t at = 0;
+    for (std::uint32_t i = 0; i < facets.size(); ++i) {
         if (i + kAhead < facets.size()) nodes.fetch(facets[i + kAhead]);
+        const auto triangle = [&](NodeIndex a, NodeIndex b, NodeIndex c) {
+            skin.triangles[at] = {raw(a), raw(b), raw(c)};
+            skin.facets[at++] = i;
+        };
+        const auto use = [&](NodeIndex node) { used[raw(node)] = 1; };
         nodes.visit(
             facets[i],
             [&](NodeIndex a, NodeIndex b, NodeIndex c, NodeIndex d) {
                 use(a), use(b), use(c), use(d);
-                used.triangles += 2;
+                triangle(a, b, c);
+                triangle(a, c, d);
             },
             [&](const Outline& facet) {
                 for (std::size_t k = 0; k < facet.count; ++k) {
                     use(facet.corners[k]);
                     if (facet.middles[k] != kNoNode) use(facet.middles[k]);
                 }
-                for_each_triangle(facet, [&](NodeIndex, NodeIndex, NodeIndex) { ++used.triangles; });
+                for_each_triangle(facet, triangle);
             }
         );
     }
-    return used;
+    skin.triangle_count = at;
 }
 
 /// Of nodes whose byte is 1: bits are not set one by one, since those next to each other wait for each other.
@@ -121,33 +123,17 @@ feelem::NodeRanks ranks_of(const std::uint8_t* used, std::size_t nodes) {
 CompactSkin compact(
     const feelem::Mesh& mesh, std::span<const feelem::FacetRef> facets, std::span<const float> values
 ) {
-    const FacetNodes nodes(mesh);
-    std::size_t triangles = 0;
-    const feelem::NodeRanks ranks = [&] {
-        const Used used = used_by(nodes, mesh.node_count(), facets);
-        triangles = used.triangles;
-        return ranks_of(used.nodes.data(), mesh.node_count());
-    }();
-    CompactSkin skin(ranks.count(), triangles);
-    std::size_t at = 0;
-    for (std::uint32_t i = 0; i < facets.size(); ++i) {
-        const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-            skin.triangles[at] = {a, b, c};
-            skin.facets[at++] = i;
-        };
-        nodes.visit(
-            facets[i],
-            [&](NodeIndex a, NodeIndex b, NodeIndex c, NodeIndex d) {
-                const std::uint32_t first = ranks(a), third = ranks(c);
-                triangle(first, ranks(b), third);
-                triangle(first, third, ranks(d));
-            },
-            [&](const Outline& facet) {
-                for_each_triangle(facet, [&](NodeIndex a, NodeIndex b, NodeIndex c) {
-                    triangle(ranks(a), ranks(b), ranks(c));
-                });
-            }
-        );
+    constexpr std::size_t kMostTriangles = 6;
+    CompactSkin skin(mesh.node_count(), facets.size() * kMostTriangles);
+    feelem::ZeroedArray<std::uint8_t> used(mesh.node_count());
+    cut(FacetNodes(mesh), facets, used.data(), skin);
+    const feelem::NodeRanks ranks = ranks_of(used.data(), mesh.node_count());
+    skin.point_count = ranks.count();
+    // Where every node is used, as on a thin plate, each keeps its number.
+    if (skin.point_count < mesh.node_count()) {
+        for (std::size_t i = 0; i < skin.triangle_count; ++i) {
+            for (std::uint32_t& point : skin.triangles[i]) point = ranks(NodeIndex{point});
+        }
     }
     std::size_t point = 0;
     ranks.for_each([&](std::uint32_t node) {
@@ -165,7 +151,7 @@ void measure(const CompactSkin& skin, double& area, double& volume) {
         const auto& at = skin.points[point];
         return feelem::Point3{at[0], at[1], at[2]};
     };
-    for (const auto& [i, j, k] : skin.triangles.span()) {
+    for (const auto& [i, j, k] : skin.triangles.span().first(skin.triangle_count)) {
         const feelem::Point3 a = place(i), b = place(j), c = place(k);
         const feelem::Point3 normal = feelem::cross(feelem::minus(b, a), feelem::minus(c, a));
         area += feelem::length(normal) / 2;

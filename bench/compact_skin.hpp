@@ -15,10 +15,12 @@
 namespace bench {
 
 struct CompactSkin {
-    CompactSkin(std::size_t point_count, std::size_t triangle_count)
-        : points(point_count), values(point_count), nodes(point_count), triangles(triangle_count),
-          facets(triangle_count) {}
+    /// Room for so many; what is not used is never touched.
+    CompactSkin(std::size_t most_points, std::size_t most_triangles)
+        : points(most_points), values(most_points), nodes(most_points), triangles(most_triangles),
+          facets(most_triangles) {}
 
+    std::size_t point_count = 0, triangle_count = 0;
     feelem::ZeroedArray<std::array<float, 3>> points;
     feelem::ZeroedArray<float> values;
     feelem::ZeroedArray<feelem::NodeIndex> nodes;  ///< Per point, ascending.

@@ -144,8 +144,8 @@ Found run(const std::string& stage, const feelem::Mesh& mesh, const feelem::Resu
         {
             const bench::CompactSkin skin =
                 bench::compact(mesh, feelem::find_outer_facets(mesh, {}).outer, result.values);
-            points = skin.points.size();
-            found.triangles = skin.triangles.size();
+            points = skin.point_count;
+            found.triangles = skin.triangle_count;
         }
         bench::CompactSkin skin(0, 0);
         used = timed([&] { skin = any_skin(points, found.triangles); });
@@ -156,8 +156,9 @@ Found run(const std::string& stage, const feelem::Mesh& mesh, const feelem::Resu
             skin = bench::compact(mesh, feelem::find_outer_facets(mesh, {}).outer, result.values);
         });
         bench::measure(skin, found.area, found.volume);
-        for (const float value : skin.values.span()) found.value_sum += static_cast<double>(value);
-        found.triangles = skin.triangles.size();
+        for (const float value : skin.values.span().first(skin.point_count))
+            found.value_sum += static_cast<double>(value);
+        found.triangles = skin.triangle_count;
     } else {
         feelem::Diagnostics diagnostics;
         feelem::Surface surface;
