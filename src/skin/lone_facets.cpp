@@ -26,10 +26,10 @@ namespace {
 class OwnSeen {
 public:
     explicit OwnSeen(std::uint64_t* seen) : seen_(seen) {}
-    /// `bits`: of RestBatch::seen.
+    /// `bits`: of RestBatch::Seen.
     void add(std::uint32_t node, std::uint64_t bits) {
         const std::uint64_t before = seen_[node], of_corners = bits & ~kRestSeen;
-        const bool again = of_corners != 0 && (before & of_corners) == of_corners;
+        const bool again = (before & of_corners) == of_corners;
         seen_[node] = before | bits | (0 - std::uint64_t{again});
     }
 
@@ -98,7 +98,7 @@ void look_for_rests(
             }
         }
         compare_with_rests(batch, count, sums, rests);
-        for (std::size_t i = 0; i < count; ++i) seen.add(batch.lowest[i], rests.seen[i]);
+        for (std::size_t i = 0; i < rests.seen.count; ++i) seen.add(rests.seen.nodes[i], rests.seen.bits[i]);
         for (std::size_t e = 0; e < run.count; ++e) {
             const std::size_t bit = e * facet_count;
             const unsigned two_bytes = rests.is_rest[bit / 8] | unsigned{rests.is_rest[bit / 8 + 1]} << 8U;

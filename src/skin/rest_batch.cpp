@@ -18,16 +18,16 @@ void compare_with_rests_portably(
     const FacetBatch& batch, std::size_t count, std::span<const std::uint64_t> sums, RestBatch& out
 ) {
     std::fill_n(out.is_rest.begin(), (count + 7) / 8, std::uint8_t{0});
+    std::size_t end = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint64_t hash = batch.hashes[i], rest = sums[batch.lowest[i]];
-        out.seen[i] = 0;
-        if (rest == 0 || hash == 0) continue;
         const bool is_rest = hash == rest, is_positive = hash < kRestSeen;
-        if (is_rest || is_positive) out.seen[i] = four_bits(batch.corners[i]);
-        if (!is_rest) continue;
-        out.seen[i] |= kRestSeen;
-        out.is_rest[i / 8] = static_cast<std::uint8_t>(out.is_rest[i / 8] | (1U << (i % 8)));
+        if (rest == 0 || hash == 0 || (!is_rest && !is_positive)) continue;
+        out.seen.nodes[end] = batch.lowest[i];
+        out.seen.bits[end++] = four_bits(batch.corners[i]) | (is_rest ? kRestSeen : 0);
+        out.is_rest[i / 8] = static_cast<std::uint8_t>(out.is_rest[i / 8] | (unsigned{is_rest} << (i % 8)));
     }
+    out.seen.count = end;
 }
 
 void compare_with_rests(

@@ -17,9 +17,15 @@ inline constexpr std::uint64_t kRestSeen = std::uint64_t{1} << 63U;
 inline constexpr std::uint64_t kNotSettled = ~std::uint64_t{0};
 
 struct RestBatch {
-    /// What the node of facet i is to remember: kRestSeen if the facet is its rest; if it is, or if the hash
-    /// is positive, four bits of the hash of its corners. Nothing where nothing is left.
-    std::array<std::uint64_t, FacetBatch::kFacets + FacetBatch::kSlack> seen;
+    /// What a node is to remember of a facet: kRestSeen if the facet is its rest; four bits of the hash of
+    /// its corners.
+    struct Seen {
+        std::array<std::uint32_t, FacetBatch::kFacets + FacetBatch::kSlack> nodes;
+        std::array<std::uint64_t, FacetBatch::kFacets + FacetBatch::kSlack> bits;
+        std::size_t count = 0;
+    };
+    /// Of the facets, in order, at nodes where something is left, that are the rest or have a positive hash.
+    Seen seen;
     /// Bit i % 8 of byte i / 8: facet i is the rest.
     std::array<std::uint8_t, FacetBatch::kFacets / 8 + 2> is_rest;
 };

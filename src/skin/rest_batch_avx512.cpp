@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
-#define FEELEM_RESTS_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw")))
+#define FEELEM_RESTS_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,popcnt")))
 #define FEELEM_RESTS_AVX512_INLINE                                                                           \
-    __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw"), always_inline)) inline
+    __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,popcnt"), always_inline)) inline
 
 namespace feelem {
 namespace {
@@ -33,6 +33,7 @@ FEELEM_RESTS_AVX512_INLINE __m512i one_bit(__m512i hash, unsigned shift, std::in
 FEELEM_RESTS_AVX512 void compare_eights(
     const FacetBatch& batch, std::size_t count, const std::uint64_t* sums, RestBatch& out
 ) {
+    std::size_t end = 0;
     for (std::size_t i = 0; i < count; i += 8) {
         const auto lanes = static_cast<__mmask8>(0xFFU >> (8 - std::min<std::size_t>(count - i, 8)));
         const __m256i lowest = _mm256_maskz_loadu_epi32(lanes, &batch.lowest[i]);
@@ -50,11 +51,17 @@ FEELEM_RESTS_AVX512 void compare_eights(
         );
         const __m512i lower = _mm512_or_si512(one_bit(corners, 0, 16, 0), one_bit(corners, 4, 16, 16));
         const __m512i upper = _mm512_or_si512(one_bit(corners, 8, 16, 32), one_bit(corners, 12, 8, 48));
-        const __m512i bits = _mm512_maskz_or_epi64(kept, lower, upper);
         const __m512i rest_bit = _mm512_set1_epi64(static_cast<std::int64_t>(kRestSeen));
-        _mm512_storeu_si512(&out.seen[i], _mm512_mask_or_epi64(bits, is_rest, bits, rest_bit));
+        const __m512i four_bits = _mm512_or_si512(lower, upper);
+        const __m512i bits = _mm512_mask_or_epi64(four_bits, is_rest, four_bits, rest_bit);
+        _mm512_storeu_si512(&out.seen.bits[end], _mm512_maskz_compress_epi64(kept, bits));
+        _mm256_storeu_si256(
+            reinterpret_cast<__m256i*>(&out.seen.nodes[end]), _mm256_maskz_compress_epi32(kept, lowest)
+        );
+        end += static_cast<std::size_t>(__builtin_popcount(kept));
         out.is_rest[i / 8] = static_cast<std::uint8_t>(is_rest);
     }
+    out.seen.count = end;
 }
 
 FEELEM_RESTS_AVX512 std::uint64_t unsettled_word(const std::uint64_t* sums, const std::uint64_t* seen) {
