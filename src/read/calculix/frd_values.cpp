@@ -9,6 +9,7 @@
 #include "read/calculix/frd_values.hpp"
 
 #include "base/byte_reader.hpp"
+#include "base/columns.hpp"
 #include "base/huge_pages.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
@@ -19,10 +20,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,6 +36,7 @@ constexpr std::size_t kChunkBytes = 1u << 20;
 constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kPerLine = 6;
 constexpr std::size_t kWidth = 12;
+constexpr std::size_t kRecordsAtOnce = 16;
 
 /// Rows of ascending node numbers: nearly always the next one.
 class RowFinder {
@@ -55,8 +59,9 @@ private:
 /// Where things are in each record, taken from the first one.
 struct RecordShape {
     std::size_t bytes = 0;
-    std::vector<std::size_t> lines;   ///< Start of each line.
-    std::vector<std::size_t> fields;  ///< Start of each wanted field.
+    std::vector<std::size_t> lines;      ///< Start of each line.
+    std::vector<std::size_t> fields;     ///< Start of each wanted field.
+    std::vector<std::uint32_t> offsets;  ///< The same for kRecordsAtOnce records, one after the other.
 };
 
 class BlockReader {
@@ -118,6 +123,10 @@ private:
         for (std::size_t c = columns_.first; c < columns_.first + columns_.count; ++c) {
             shape.fields.push_back(field_start(c, shape.lines[c / kPerLine]));
         }
+        for (std::size_t k = 0; k < kRecordsAtOnce; ++k) {
+            for (const std::size_t field : shape.fields)
+                shape.offsets.push_back(static_cast<std::uint32_t>(k * shape.bytes + field));
+        }
         return shape;
     }
 
@@ -172,20 +181,54 @@ private:
         const RecordShape& shape, std::size_t first, std::size_t last, std::int64_t limit, Chunk& chunk
     ) {
         std::int64_t previous = std::numeric_limits<std::int64_t>::min();
+        const std::size_t fields = shape.fields.size();
+        std::vector<float> some(kRecordsAtOnce * fields);
+        std::array<std::size_t, kRecordsAtOnce> rows{};
+        for (std::size_t i = first; i < last;) {
+            const char* const records = text_.data() + body_.first + i * shape.bytes;
+            const std::size_t count = std::min(kRecordsAtOnce, last - i);
+            for (std::size_t k = 0; k < count; ++k, ++i) {
+                std::int64_t id = 0;
+                if (!id_at(i * shape.bytes, id) || id <= previous || id >= limit) return false;
+                previous = id;
+                if (!is_shaped(shape, records + k * shape.bytes, i == 0)) return false;
+                rows[k] = chunk.row(NodeId{id});
+                if (rows[k] == kNoRow) ++chunk.without_node;
+            }
+            const auto offsets = std::span(shape.offsets).first(count * fields);
+            if (columns_of_reals(records, offsets, kWidth, some.data()))
+                put_records(std::span(rows).first(count), some);
+            else if (!read_one_by_one(shape, records, std::span(rows).first(count), chunk))
+                return false;
+        }
+        return true;
+    }
+
+    /// Their values, one record after the other; those of nodes that are not there go nowhere.
+    void put_records(std::span<const std::size_t> rows, std::span<const float> some) {
+        const std::size_t width = columns_.count;
+        const bool all_there = std::ranges::find(rows, kNoRow) == rows.end();
+        if (all_there && rows.back() - rows.front() + 1 == rows.size()) {
+            std::copy_n(some.data(), rows.size() * width, values_.data() + rows.front() * width);
+            return;
+        }
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            if (rows[k] != kNoRow)
+                std::copy_n(some.data() + k * width, width, values_.data() + rows[k] * width);
+        }
+    }
+
+    bool read_one_by_one(
+        const RecordShape& shape, const char* at, std::span<const std::size_t> rows, Chunk& chunk
+    ) {
         std::vector<float> nowhere(shape.fields.size());
-        for (std::size_t i = first; i < last; ++i) {
-            const char* at = text_.data() + body_.first + i * shape.bytes;
-            std::int64_t id = 0;
-            if (!id_at(i * shape.bytes, id) || id <= previous || id >= limit) return false;
-            previous = id;
-            if (!is_shaped(shape, at, i == 0)) return false;
-            const std::size_t row = chunk.row(NodeId{id});
-            if (row == kNoRow) ++chunk.without_node;
+        for (const std::size_t row : rows) {
             float* const out = row == kNoRow ? nowhere.data() : values_.data() + row * columns_.count;
             std::uint64_t odd = 0;
             for (std::size_t c = 0; c < shape.fields.size(); ++c)
                 out[c] = real12<float>(at + shape.fields[c], odd);
             if (odd != 0 && !read_odd_record(shape, at, row, chunk)) return false;
+            at += shape.bytes;
         }
         return true;
     }

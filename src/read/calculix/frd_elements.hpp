@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The elements of an .frd file, after its nodes.
+#pragma once
+
+#include "base/input.hpp"
+#include "model/mesh_builder.hpp"
+#include "read/calculix/frd_blocks.hpp"
+
+#include "feelem/diagnostics.hpp"
+
+namespace feelem::frd {
+
+/// Throws Error(BadNumber | BadStructure) for a record that cannot be understood.
+void read_elements(const Input& input, const Layout& layout, MeshBuilder& builder, Diagnostics& diagnostics);
+
+}  // namespace feelem::frd
