@@ -137,6 +137,10 @@ TEST(FrdPlain, an_odd_element_among_others_is_what_the_general_way_makes_of_it) 
                     const std::size_t first = one.find(" -2") + 3;
                     const std::size_t at = first + 10 * place + 4 * (place / 10);
                     if (id == 70) one.replace(at, 10, fmt::format("{:10d}", odd));
+                    if (id == 75 && type == 1) {  // A wedge.
+                        for (const std::size_t k : {3U, 7U})
+                            one.replace(first + 10 * k, 10, one, first + 10 * k - 10, 10);
+                    }
                     text += one;
                 }
                 text += " -3\n 9999\n";
