@@ -38,14 +38,36 @@ void fill_shape(Look& look, const ViewerState& state, const ViewedModel& model) 
     look.shape = shape;
 }
 
+/// Whether the level says how wrong it may be of this result at this step.
+bool bounds(const SceneLevel& level, const FieldChoice& field) {
+    return std::ranges::any_of(level.values, [&](const SceneLevelValues& values) {
+        return values.result == field.result && values.values == field.values;
+    });
+}
+
+std::vector<FieldChoice> drawn_fields(const Look& look) {
+    std::vector<FieldChoice> out;
+    if (look.field) out.push_back(*look.field);
+    if (look.shape) out.push_back(look.shape->field);
+    if (look.shape && look.shape->imaginary) out.push_back(*look.shape->imaginary);
+    return out;
+}
+
 }  // namespace
 
-std::optional<std::size_t> level_within(const ViewedModel& model, std::uint64_t budget) {
+std::optional<std::size_t> level_within(
+    const ViewedModel& model, std::uint64_t budget, std::span<const FieldChoice> drawn
+) {
     const auto& levels = model.about().levels;
-    if (model.arrays().triangles.size() <= budget || levels.empty()) return std::nullopt;
-    const auto fits = [&](const SceneLevel& level) { return level.triangles <= budget; };
-    const auto found = std::ranges::find_if(levels, fits);
-    return found == levels.end() ? levels.size() - 1 : static_cast<std::size_t>(found - levels.begin());
+    if (model.arrays().triangles.size() <= budget) return std::nullopt;
+    std::optional<std::size_t> coarsest;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        if (!std::ranges::all_of(drawn, [&](const FieldChoice& field) { return bounds(levels[i], field); }))
+            continue;
+        coarsest = i;
+        if (levels[i].triangles <= budget) break;
+    }
+    return coarsest;
 }
 
 Look make_look(const ViewerState& state, const ViewedModel& model, bool is_headset) {
@@ -57,7 +79,7 @@ Look make_look(const ViewerState& state, const ViewedModel& model, bool is_heads
     look.cuts = cuts_of(state);
     const std::uint64_t budget =
         is_headset ? std::min(state.most_triangles, kHeadsetTriangles) : state.most_triangles;
-    look.level = level_within(model, budget);
+    look.level = level_within(model, budget, drawn_fields(look));
     look.model_to_world = model_to_world(state, model);
     return look;
 }

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -228,8 +229,10 @@ bool is_past_limit(double value, const PresentedResult& result);
 /// Marks the node, and wishes the desk's camera there. Not on the skin: says so in the notice.
 void go_to_node(ViewerState& state, const ViewedModel& model, std::int64_t node);
 
-/// A level of detail that fits the budget; empty: the full triangles.
-std::optional<std::size_t> level_within(const ViewedModel& model, std::uint64_t budget);
+/// A level of detail that fits the budget and states bounds for all that is drawn; empty: the full triangles.
+std::optional<std::size_t> level_within(
+    const ViewedModel& model, std::uint64_t budget, std::span<const FieldChoice> drawn
+);
 /// What a headset draws in time, before anything is known of it.
 inline constexpr std::uint64_t kHeadsetTriangles = 500'000;
 

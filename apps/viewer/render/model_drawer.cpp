@@ -277,20 +277,18 @@ void ModelDrawer::draw_edges(const ModelDrawing& drawing, const Program& edges) 
 
 void ModelDrawer::make_ghost() {
     const Geometry& geometry = *model_.geometry;
-    std::vector<std::array<std::uint32_t, 2>> all;
-    for (const PartRange& part : geometry.parts) {
-        const auto edges = feature_edges(geometry, part);
-        all.insert(all.end(), edges.begin(), edges.end());
-    }
     std::vector<std::array<float, 3>> ends;
-    for (const auto& [a, b] : all) {
-        ends.push_back(geometry.positions[a]);
-        ends.push_back(geometry.positions[b]);
-    }
     ghost_.emplace();
+    for (const PartRange& part : geometry.parts) {
+        ghost_->first.push_back(static_cast<GLint>(ends.size()));
+        for (const auto& [a, b] : feature_edges(geometry, part)) {
+            ends.push_back(geometry.positions[a]);
+            ends.push_back(geometry.positions[b]);
+        }
+    }
+    ghost_->first.push_back(static_cast<GLint>(ends.size()));
     ghost_->positions = make_buffer(std::span<const std::array<float, 3>>(ends), "ghost");
     ghost_->array = make_vertex_array();
-    ghost_->count = static_cast<GLsizei>(ends.size());
     const GLuint array = ghost_->array.get();
     glVertexArrayVertexBuffer(array, 0, ghost_->positions.get(), 0, 12);
     glEnableVertexArrayAttrib(array, kPosition);
@@ -299,7 +297,7 @@ void ModelDrawer::make_ghost() {
 }
 
 void ModelDrawer::draw_ghost(const ModelDrawing& drawing, const Program& edges) {
-    if (!ghost_ || ghost_->count == 0) return;
+    if (!ghost_ || ghost_->first.back() == 0) return;
     set_shape(edges, 0, 0);
     set_cuts(edges, *drawing.look);
     edges.set("moves", static_cast<int>(kMovesUnit));
@@ -307,8 +305,20 @@ void ModelDrawer::draw_ghost(const ModelDrawing& drawing, const Program& edges) 
     glProgramUniform4f(edges.get(), edges.at("line_colour"), 0.144F, 0.188F, 0.216F, 0.75F);
     edges.use();
     glBindVertexArray(ghost_->array.get());
-    glDrawArraysInstanced(GL_LINES, 0, ghost_->count, drawing.passes.instances());
-    ++counts_.draw_calls;
+    // What is hidden has no ghost; neighbours that have one are one call.
+    const auto is_hidden = [&](std::size_t part) {
+        return look_of(drawing.look->parts, static_cast<std::uint32_t>(part)) == PartLook::Hidden;
+    };
+    const std::size_t parts = ghost_->first.size() - 1;
+    for (std::size_t from = 0; from < parts;) {
+        std::size_t end = from;
+        while (end < parts && !is_hidden(end)) ++end;
+        if (const GLsizei count = ghost_->first[end] - ghost_->first[from]; count > 0) {
+            glDrawArraysInstanced(GL_LINES, ghost_->first[from], count, drawing.passes.instances());
+            ++counts_.draw_calls;
+        }
+        from = end + 1;
+    }
 }
 
 }  // namespace feelem::viewer

@@ -42,7 +42,7 @@ ModelPrograms make_model_programs(StereoPath path);
 struct GhostLines {
     Buffer positions;
     VertexArray array;
-    GLsizei count = 0;
+    std::vector<GLint> first;  ///< Of the ends of each part, and one past the last.
 };
 
 class ModelDrawer {

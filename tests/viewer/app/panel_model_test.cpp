@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace feelem::viewer {
@@ -68,6 +69,41 @@ TEST_F(PanelModel, legend_and_table_say_what_drives_what_with_units) {
     EXPECT_THAT(shown.results[1].senses, ElementsAre(Sense::Pitch, Sense::Shape));
     EXPECT_THAT(shown.results[2].senses, ElementsAre(Sense::Pulses));
     EXPECT_EQ(shown.results[2].limit, 250);
+}
+
+TEST_F(PanelModel, a_finished_scene_with_another_presentation_shows_open_ranges_from_end_to_end) {
+    const std::string scene = made_scene(), other = scene + ".presentation.json";
+    const auto range_of = [&](const std::string& range) {
+        test::write_file(
+            other,
+            R"({"format": "feelem-presentation", "version": 1, "results": [{"key": "T", "name": "temperature",
+             "component": "value", "location": "nodal", "range": )" +
+                range +
+                R"(}], "effects": [{"result": "T", "sense": "visual", "type": "colour", "map": "batlow"}]})"
+        );
+        LoadedScene loaded(scene, other);
+        Viewer viewer(source_of(loaded));
+        const Look look = look_of(viewer, FrameInput{});
+        const UiModel shown = panel_model(viewer, look, snapshot_of(viewer, FrameInput{}), devices_);
+        EXPECT_TRUE(shown.legend) << range;
+        return shown.legend ? shown.legend->range : ValueRange{};
+    };
+    const auto& results = scene_.about().results;
+    const auto temperature = std::ranges::find(results, "temperature", &SceneResult::quantity);
+    ASSERT_NE(temperature, results.end());
+    const SceneValues& stated = temperature->values.at(0);
+    const double lo = stated.min.value().value, hi = stated.max.value().value;
+    ASSERT_LT(lo, 140);
+    for (const char* open :
+         {R"({"mode": "percentile", "p": [2, 98]})",
+          R"({"mode": "percentile", "p": [2, 98], "lo": 140})",
+          R"({"mode": "auto", "lo": 140, "hi": 200})"}) {
+        EXPECT_EQ(range_of(open).lo, lo) << open;
+        EXPECT_EQ(range_of(open).hi, hi) << open;
+    }
+    const ValueRange found = range_of(R"({"mode": "percentile", "p": [2, 98], "lo": 140, "hi": 200})");
+    EXPECT_EQ(found.lo, 140);
+    EXPECT_EQ(found.hi, 200);
 }
 
 TEST_F(PanelModel, card_and_legend_show_the_values_of_one_snapshot) {

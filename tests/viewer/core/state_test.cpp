@@ -337,16 +337,43 @@ TEST(ViewerState, level_of_detail_fits_the_budget_and_a_headset_has_one_from_the
     for (const std::uint64_t triangles : {3U, 2U, 1U}) {
         SceneLevel level;
         level.triangles = triangles;
+        for (std::size_t r = 0; r < scene.results.size(); ++r)
+            for (std::size_t v = 0; v < scene.results[r].values.size(); ++v)
+                level.values.push_back({r, v, 0.5, 0, 0});
         scene.levels.push_back(level);
     }
     Ready ready(scene);
     const ViewedModel& model = ready.viewer.model;
-    EXPECT_EQ(level_within(model, 4), std::nullopt);
-    EXPECT_EQ(level_within(model, 3), 0u);
-    EXPECT_EQ(level_within(model, 2), 1u);
-    EXPECT_EQ(level_within(model, 0), 2u) << "the coarsest when none fits";
+    EXPECT_EQ(level_within(model, 4, {}), std::nullopt);
+    EXPECT_EQ(level_within(model, 3, {}), 0u);
+    EXPECT_EQ(level_within(model, 2, {}), 1u);
+    EXPECT_EQ(level_within(model, 0, {}), 2u) << "the coarsest when none fits";
     ready.viewer.state.most_triangles = 2;
     EXPECT_EQ(make_look(ready.viewer.state, model, true).level, 1u);
+}
+
+TEST(ViewerState, a_level_without_a_bound_for_what_is_drawn_is_left_alone) {
+    Scene scene = warm_square();
+    scene.levels.resize(2);
+    scene.levels[0].triangles = 1;
+    scene.levels[1].triangles = 1;
+    scene.levels[1].values = {{0, 0, 0.5, 0, 0}};
+    Ready ready(scene);
+    const ViewedModel& model = ready.viewer.model;
+    const std::array first{FieldChoice{0, 0, 0}};
+    const std::array both{FieldChoice{0, 0, 0}, FieldChoice{1, 0, 0}};
+    EXPECT_EQ(level_within(model, 1, first), 1u) << "the finer one says nothing of this result";
+    EXPECT_EQ(level_within(model, 1, both), std::nullopt);
+    ViewerState& state = ready.viewer.state;
+    state.most_triangles = 1;
+    state.deformation = Deformation::None;
+    Look look = make_look(state, model, true);
+    ASSERT_EQ(look.field, first[0]);
+    EXPECT_EQ(look.level, 1u);
+    set_step(state, model, 1);
+    look = make_look(state, model, true);
+    ASSERT_EQ(look.field, (FieldChoice{0, 1, 0}));
+    EXPECT_EQ(look.level, std::nullopt) << "no bound at the second step";
 }
 
 TEST(ViewerState, a_label_made_of_a_limits_number_goes_with_the_number_and_a_name_stays) {

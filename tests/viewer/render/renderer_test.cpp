@@ -321,53 +321,6 @@ TEST_F(Renderers, no_more_is_sent_in_a_frame_than_was_allowed) {
     EXPECT_EQ(pixel(renderer.read(0), 80, 60), colour_of(0.5, look.range, look.colour));
 }
 
-TEST_F(Renderers, hidden_parts_are_gone_and_clear_ones_are_seen_through) {
-    SmallModel model = box_model({1, 1, 0.1F}, 2);
-    SmallModel front = box_model({0.5F, 0.5F, 0.1F}, 2);
-    for (auto& place : front.geometry.positions) place[2] += 0.5F;
-    append(model, front);
-    model.add_field(0, [](const auto& p) { return p[2] > 0.3F ? 0.95F : 0.05F; });
-    Look look = plain_look();
-    const Camera eye = looking({0, 0, 3}, {0, 0, 0});
-    Renderer renderer;
-    renderer.set_model(model.drawn());
-    const auto middle = [&](std::vector<PartLook> parts) {
-        look.parts = std::move(parts);
-        draw_whole(renderer, input_of({&eye, 1}, look));
-        return pixel(renderer.read(0), 80, 60);
-    };
-    const Rgb back = colour_of(0.05, look.range, look.colour),
-              high = colour_of(0.95, look.range, look.colour);
-
-    EXPECT_EQ(middle({}), high);
-    EXPECT_EQ(middle({PartLook::Shown, PartLook::Hidden}), back);
-    EXPECT_EQ(middle({PartLook::Hidden, PartLook::Hidden}), DrawInput{}.background);
-    const Rgb mixed = middle({PartLook::Shown, PartLook::Clear});
-    // Two sides of the clear part lie one behind the other.
-    for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_NEAR(mixed[k], high[k] + (back[k] - high[k]) * 0.78 * 0.78, 2) << k;
-}
-
-TEST_F(Renderers, a_part_without_element_edges_takes_none_from_the_part_after_it) {
-    SmallModel bare = box_model({0.1F, 0.1F, 0.1F}, 1);
-    bare.geometry.edges.clear();
-    bare.geometry.parts[0].edges = 0;
-    SmallModel model = box_model({0.1F, 0.1F, 0.1F}, 1);
-    append(model, bare);
-    model.geometry.parts[1].first_edge = 0;  // As a scene has it.
-    append(model, box_model({1, 1, 1}, 4));  // Hides both.
-    model.add_field(0, [](const auto&) { return 0.5F; });
-    Look look = plain_look();
-    const Camera eye = looking({0, 0, 3}, {0, 0, 0});
-    Renderer renderer;
-    renderer.set_model(model.drawn());
-    draw_whole(renderer, input_of({&eye, 1}, look));
-    const Pixels without = renderer.read(0);
-    look.edges = true;
-    draw_whole(renderer, input_of({&eye, 1}, look));
-    EXPECT_GT(compare(without, renderer.read(0)).pixels, 200U);
-}
-
 TEST_F(Renderers, a_cut_solid_shows_material_and_a_cut_shell_its_inside) {
     SmallModel model = box_model({1, 1, 1}, 2);
     model.add_field(0, [](const auto&) { return 0.5F; });
