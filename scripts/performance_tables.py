@@ -163,6 +163,15 @@ def viewer(_):
     return facts + "\n\n" + table(head, rows) + source("viewer-5m", data)
 
 
+def first_picture(_):
+    data = load("first-picture")
+    rows = []
+    for row in data["rows"]:
+        for way, word in (("scene_first", "scene first"), ("shape_first", "**shape first**")):
+            rows.append([row["model"], f"{row['bytes'] / 1e6:.0f}", row["runs"], word, *(times(row[way][key], 2) for key in ("page_asked", "shape", "results"))])
+    return table(["model", "MB", "runs", "way", "page asked for, s", "shape stands, s", "results stand, s"], rows) + source("first-picture", data)
+
+
 def measured(name, make):
     """A table, or the plain word that there is none."""
     return lambda program: make(program) if (RESULTS / f"{name}.json").exists() else "Not measured yet."
@@ -177,5 +186,6 @@ TABLES = {
     "bench-end-to-end": measured("end-to-end", end_to_end),
     "bench-wire": measured("wire", wire),
     "bench-levels": measured("lod", levels),
+    "bench-first-picture": measured("first-picture", first_picture),
     "bench-viewer": measured("viewer-5m", viewer),
 }

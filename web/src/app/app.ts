@@ -43,6 +43,12 @@ export interface AppOptions {
   readonly openFile: () => void;
 }
 
+/** How far results are changes nothing of the picture: to draw it again would keep the reader waiting. */
+function isNewsAlone(state: ViewState, before: ViewState): boolean {
+  const keys = Object.keys(state) as (keyof ViewState)[];
+  return keys.every((key) => (key === "reading") === (state[key] !== before[key]));
+}
+
 export class App implements ApiSource {
   readonly stage: Stage;
   readonly store: Store;
@@ -320,6 +326,7 @@ export class App implements ApiSource {
   }
 
   #stateChanged(state: ViewState, before: ViewState): void {
+    if (isNewsAlone(state, before)) return this.#pageView.render();
     if (state.step !== before.step || state.doc !== before.doc) this.#refreshed = this.view.refresh();
     if (state.deformMode !== before.deformMode || state.typedFactor !== before.typedFactor)
       this.view.applyFactor();

@@ -13,6 +13,7 @@ import { goTo } from "./keep.mjs";
 import { BOILER, BOILER_OPTIONS, view, whyNot } from "./program.mjs";
 import { serve } from "./server.mjs";
 import { aim, enter, frames } from "./vr-hands.mjs";
+import { watchPage } from "./watch-page.mjs";
 
 const state = () => window.feelem.state();
 const probe = () => window.feelem.lastProbe();
@@ -80,7 +81,7 @@ export const openingTests = [
     name: "opening_shape_is_drawn_and_says_everywhere_that_results_are_still_read",
     async run({ browser }) {
       const server = await growing();
-      const { page, context, problems } = await openShape(browser, server);
+      const { page, context, problems } = await openShape(browser, server, { before: watchPage });
       server.say({ percent: 42 });
       await until(page, state, (s) => s.reading?.percent === 42 && s.reading.failed === null, "the state");
       await until(
@@ -89,6 +90,13 @@ export const openingTests = [
         (t) => /42 %/.test(t),
         "the progress",
       );
+      const drawn = () => globalThis.watched.calls;
+      await page.waitForTimeout(400);
+      const calls = await page.evaluate(drawn);
+      for (const percent of [50, 60, 70]) server.say({ percent });
+      await until(page, state, (s) => s.reading?.percent === 70, "more news");
+      await page.waitForTimeout(300);
+      assert.equal(await page.evaluate(drawn), calls, "news alone draw no picture");
       for (const area of [".reading", ".legend", "section.results"])
         assert.match(await words(page, area), /results are still being read/i, area);
       assert.ok(
@@ -106,12 +114,12 @@ export const openingTests = [
         "the card",
       );
       await page.mouse.move(3, 3);
-      const drawn = await colours(page);
+      const seen = await colours(page);
       assert.ok(
-        drawn.every((c) => spread(c) < 30),
+        seen.every((c) => spread(c) < 30),
         "no colour that could be a value",
       );
-      assert.ok(new Set(drawn.map(String)).size > 1, "a shape before its background");
+      assert.ok(new Set(seen.map(String)).size > 1, "a shape before its background");
       assert.equal(await page.evaluate(() => Promise.race([window.feelem.ready, "not yet"])), "not yet");
       assert.equal(await page.locator("table.assign").count(), 0);
       assert.deepEqual(problems, []);
