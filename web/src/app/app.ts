@@ -4,7 +4,7 @@ import { attachKeyboard, type KeyCommand } from "../input/keyboard";
 import { findElement, findNode, type Place } from "../probe";
 import { Stage } from "../render";
 import type { SceneData } from "../scene";
-import type { Actions, PaletteEntry, PanelPage, ViewName } from "../ui";
+import { type Actions, type PaletteEntry, type PanelPage, type ViewName, withoutResults } from "../ui";
 import type { ApiSource, PageState } from "./api";
 import { attachDeskPointer } from "./desk-pointer";
 import type { Feature } from "./features/feature";
@@ -301,6 +301,12 @@ export class App implements ApiSource {
   /** A short word for people and screen readers. */
   say(text: string): void {
     this.#page.toast(text);
+  }
+
+  /** There is nothing of results, for that reason or because they are still being read. */
+  sayNone(text: string): void {
+    const { reading } = this.store.state;
+    this.say(reading ? withoutResults(reading) : text);
   }
 
   invalidate(): void {

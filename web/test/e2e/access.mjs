@@ -10,7 +10,8 @@ import { unfold, unfoldAll } from "./look.mjs";
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const state = () => window.feelem.state();
 
-async function faults(page) {
+/** What axe finds serious. */
+export async function faults(page) {
   await page.evaluate(AXE);
   const found = await page.evaluate(async () => {
     const { violations, passes } = await globalThis.axe.run(document, {

@@ -7,6 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { previewOf } from "../support/preview-scene.ts";
 import { tinyScene } from "../support/tiny-scene.ts";
+import { faults } from "./access.mjs";
 import { tell } from "./binary.mjs";
 import { openPage, pixelsOf, until } from "./harness.mjs";
 import { goTo } from "./keep.mjs";
@@ -120,6 +121,9 @@ export const openingTests = [
         "no colour that could be a value",
       );
       assert.ok(new Set(seen.map(String)).size > 1, "a shape before its background");
+      await page.keyboard.press("4");
+      assert.match(await words(page, ".toast"), /still being read/, "what needs results says so");
+      assert.deepEqual(await faults(page), []);
       assert.equal(await page.evaluate(() => Promise.race([window.feelem.ready, "not yet"])), "not yet");
       assert.equal(await page.locator("table.assign").count(), 0);
       assert.deepEqual(problems, []);

@@ -39,7 +39,7 @@ export class BeaconFeature implements Feature {
 
   toggle(): void {
     if (!this.#on && !this.#spot()) {
-      this.#app.say("There is no hot spot of what is seen.");
+      this.#app.sayNone("There is no hot spot of what is seen.");
       return;
     }
     this.#set(!this.#on);

@@ -79,7 +79,7 @@ export class Sweep implements Feature {
     const { store, senses } = this.#app;
     const heard = this.#heard();
     if (!heard) {
-      this.#app.say("There is no result to hear.");
+      this.#app.sayNone("There is no result to hear.");
       return;
     }
     const found = this.#slabs(heard);
