@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene_geometry.hpp"
 
+#include "base/behind.hpp"
+#include "base/parallel.hpp"
 #include "scene/scene_measure.hpp"
 
 #include "feelem/error.hpp"
@@ -254,12 +256,18 @@ void plan_parts(SceneBuild& build, Diagnostics& diagnostics) {
 }
 
 void write_geometry(SceneBuild& build) {
+    // Sums in one order cannot be shared out, but they need not be waited for.
+    Behind measuring(1);
+    if (thread_count() > 1) measuring.add([&] { measure(build); });
     for (ScenePartBuild& part : build.parts) {
         write_vertices(build, part);
         write_triangles(build, part);
     }
     for (ScenePartBuild& part : build.parts) write_edges(build, part);
-    measure(build);
+    if (thread_count() > 1)
+        measuring.wait();
+    else
+        measure(build);
 }
 
 double scale_to_metres(const SceneBuild& build) {
