@@ -35,6 +35,12 @@ public:
         if (buffer_.size() > kPiece) flush();
     }
 
+    void bytes(const void* from, std::size_t count) {
+        const char* const first = static_cast<const char*>(from);
+        buffer_.append(first, first + count);
+        if (buffer_.size() > kPiece) flush();
+    }
+
 private:
     static constexpr std::size_t kPiece = 1u << 20;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes a block of N x N x N hex8 nodes as a deck: as Abaqus/CAE writes .inp, as pre-processors write bulk
-// data in each of its three forms, or as VTK's legacy text. The same bytes every time.
+// data in each of its three forms, as gmsh and I-deas write theirs, or as VTK's legacy text. The same bytes
+// every time.
 #include "block.hpp"
 
 #include <array>
@@ -151,6 +152,92 @@ void write_vtk(Writer& out, const Block& block) {
     for (int i = 0; i < block.element_count(); ++i) out.line("12");
 }
 
+/// As gmsh writes a block of one volume.
+void write_msh22(Writer& out, const Block& block) {
+    out.line("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}", block.node_count());
+    block.for_each_node([&](int id, const auto& p) {
+        out.line("{} {:.16g} {:.16g} {:.16g}", id, p[0], p[1], p[2]);
+    });
+    out.line("$EndNodes\n$Elements\n{}", block.element_count());
+    block.for_each_element([&](int id, const std::array<int, 8>& n) {
+        out.line("{} 5 2 1 1 {} {} {} {} {} {} {} {}", id, n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]);
+    });
+    out.line("$EndElements");
+}
+
+std::string entities_41() {
+    return "$Entities\n0 0 0 1\n1 0 0 0 1000 1000 1000 0 0\n$EndEntities";
+}
+
+void write_msh41(Writer& out, const Block& block) {
+    const int nodes = block.node_count(), elements = block.element_count();
+    out.line(
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n{}\n$Nodes\n1 {} 1 {}\n3 1 0 {}",
+        entities_41(),
+        nodes,
+        nodes,
+        nodes
+    );
+    for (int id = 1; id <= nodes; ++id) out.line("{}", id);
+    block.for_each_node([&](int, const auto& p) { out.line("{:.16g} {:.16g} {:.16g}", p[0], p[1], p[2]); });
+    out.line("$EndNodes\n$Elements\n1 {} 1 {}\n3 1 5 {}", elements, elements, elements);
+    block.for_each_element([&](int id, const std::array<int, 8>& n) {
+        out.line("{} {} {} {} {} {} {} {} {} ", id, n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]);
+    });
+    out.line("$EndElements");
+}
+
+template <class T, class... More>
+void bytes(Writer& out, T first, More... more) {
+    out.bytes(&first, sizeof first);
+    if constexpr (sizeof...(more) > 0) bytes(out, more...);
+}
+
+using Count = unsigned long long;  // size_t of the file.
+
+void write_msh41_binary(Writer& out, const Block& block) {
+    const auto nodes = static_cast<Count>(block.node_count()),
+               elements = static_cast<Count>(block.element_count());
+    out.line("$MeshFormat\n4.1 1 8");
+    bytes(out, 1);
+    out.line("\n$EndMeshFormat\n$Entities");
+    bytes(out, Count{0}, Count{0}, Count{0}, Count{1}, 1, 0.0, 0.0, 0.0, 1e3, 1e3, 1e3, Count{0}, Count{0});
+    out.line("\n$EndEntities\n$Nodes");
+    bytes(out, Count{1}, nodes, Count{1}, nodes, 3, 1, 0, nodes);
+    for (Count id = 1; id <= nodes; ++id) bytes(out, id);
+    block.for_each_node([&](int, const auto& p) { bytes(out, p[0], p[1], p[2]); });
+    out.line("\n$EndNodes\n$Elements");
+    bytes(out, Count{1}, elements, Count{1}, elements, 3, 1, 5, elements);
+    block.for_each_element([&](int id, const std::array<int, 8>& n) {
+        bytes(out, static_cast<Count>(id));
+        for (const int node : n) bytes(out, static_cast<Count>(node));
+    });
+    out.line("\n$EndElements");
+}
+
+std::string unv_real(double value) {
+    std::string text = fmt::format("{:25.16E}", value);
+    text[text.find('E')] = 'D';
+    return text;
+}
+
+/// Datasets 2411 and 2412, as I-deas writes them.
+void write_unv(Writer& out, const Block& block) {
+    out.line("    -1\n  2411");
+    block.for_each_node([&](int id, const auto& p) {
+        out.line("{:10d}{:10d}{:10d}{:10d}", id, 1, 1, 11);
+        out.line("{}{}{}", unv_real(p[0]), unv_real(p[1]), unv_real(p[2]));
+    });
+    out.line("    -1\n    -1\n  2412");
+    block.for_each_element([&](int id, const std::array<int, 8>& n) {
+        out.line("{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}", id, 115, 1, 1, 7, 8);
+        out.line(
+            "{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}{:10d}", n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]
+        );
+    });
+    out.line("    -1");
+}
+
 bool write(std::string_view format, const char* path, const Block& block) {
     Writer out(path);
     if (format == "inp") {
@@ -163,6 +250,14 @@ bool write(std::string_view format, const char* path, const Block& block) {
         write_bdf(out, block, Form::Large);
     } else if (format == "vtk") {
         write_vtk(out, block);
+    } else if (format == "msh22") {
+        write_msh22(out, block);
+    } else if (format == "msh41") {
+        write_msh41(out, block);
+    } else if (format == "msh41-binary") {
+        write_msh41_binary(out, block);
+    } else if (format == "unv") {
+        write_unv(out, block);
     } else {
         return false;
     }
@@ -175,7 +270,9 @@ int main(int argc, char** argv) {
     const int side = argc == 4 ? std::atoi(argv[2]) : 0;
     if (side < 2 || side > 500 || !write(argv[1], argv[3], Block{side})) {
         std::fputs(
-            "usage: bench_make_deck inp|bdf-free|bdf-small|bdf-large|vtk NODES_PER_SIDE(2..500) OUT\n", stderr
+            "usage: bench_make_deck inp|bdf-free|bdf-small|bdf-large|vtk|msh22|msh41|msh41-binary|unv "
+            "NODES_PER_SIDE(2..500) OUT\n",
+            stderr
         );
         return 2;
     }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/number.hpp"
 
+#include "base/nearest_double.hpp"
+
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <limits>
 #include <system_error>
@@ -90,6 +93,15 @@ std::optional<float> parse_float(std::string_view field) {
 }
 std::optional<double> parse_double(std::string_view field) {
     return parse_real<double>(field);
+}
+
+bool nearest_double(std::uint64_t digits, int exponent, bool negative, double& out) {
+    using Format = fast_float::binary_format<double>;
+    const fast_float::adjusted_mantissa found = fast_float::compute_float<Format>(exponent, digits);
+    if (found.power2 < 0) return false;
+    const std::uint64_t bits = found.mantissa | (static_cast<std::uint64_t>(found.power2) << 52U);
+    out = std::bit_cast<double>(bits | (std::uint64_t{negative} << 63U));
+    return true;
 }
 
 }  // namespace feelem

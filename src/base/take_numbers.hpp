@@ -9,6 +9,7 @@
 #pragma once
 
 #include "base/eight_digits.hpp"
+#include "base/nearest_double.hpp"
 
 #include <array>
 #include <bit>
@@ -92,7 +93,7 @@ inline bool take_real(const char*& at, double& out) {
     int exponent = 0;
     if (*p == '.') {
         ++p;
-        for (int piece = 0; piece < 2; ++piece) {
+        for (int piece = 0; piece < 3; ++piece) {
             word = load8(p);
             count = count_digits(word);
             digits = digits * kWholePowersOfTen[count] + value_of_digits(word, count);
@@ -100,12 +101,15 @@ inline bool take_real(const char*& at, double& out) {
             all += count;
             exponent -= static_cast<int>(count);
             if (count < 8) break;
-            if (piece == 1) return false;
+            if (piece == 2) return false;
         }
     }
     if (all == 0 || all > 19) return false;
     int written = 0;
-    if (!take_exponent(p, written) || !scale_exactly(digits, exponent + written, negative, out)) return false;
+    if (!take_exponent(p, written)) return false;
+    const int scale = exponent + written;
+    if (!scale_exactly(digits, scale, negative, out) && !nearest_double(digits, scale, negative, out))
+        return false;
     at = p;
     return true;
 }

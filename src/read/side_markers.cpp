@@ -23,6 +23,15 @@ SideMarkers::Key SideMarkers::key_of(std::span<const NodeId> nodes, std::span<co
     return key;
 }
 
+std::size_t SideMarkers::Mix::operator()(const Key& key) const noexcept {
+    std::uint64_t mixed = 0;
+    for (const std::int64_t node : key) {
+        mixed = (mixed ^ static_cast<std::uint64_t>(node)) * 0x9E3779B97F4A7C15U;
+        mixed ^= mixed >> 32U;
+    }
+    return static_cast<std::size_t>(mixed);
+}
+
 void SideMarkers::add_candidate(ElementType type, std::span<const NodeId> nodes) {
     const ElementRow& row = element_row(type);
     if (row.dimension >= 3) return;

@@ -7,9 +7,10 @@
 #include "feelem/ids.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <span>
+#include <unordered_map>
 
 namespace feelem {
 
@@ -29,7 +30,10 @@ private:
     static Key key_of(std::span<const NodeId> nodes, std::span<const std::uint8_t> corners);
     void mark(const Key& key);
 
-    std::map<Key, bool> marked_;
+    struct Mix {
+        std::size_t operator()(const Key& key) const noexcept;
+    };
+    std::unordered_map<Key, bool, Mix> marked_;
     std::array<bool, 3> has_dimension_{};
 };
 

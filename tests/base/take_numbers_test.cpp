@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers off the front of text: bit for bit what the general way gives, or refused.
+#include "base/nearest_double.hpp"
 #include "base/number.hpp"
 #include "base/take_numbers.hpp"
 
@@ -198,6 +199,21 @@ TEST(FixedInteger, stands_anywhere_in_its_columns) {
     EXPECT_EQ(of("                ", 16), -1);
     for (const char* text : {"1 2     ", "1.      ", "-1      ", "1\t      ", "1,      ", "1$      "})
         EXPECT_FALSE(of(text, 8).has_value()) << text;
+}
+
+TEST(NearestDouble, of_digits_and_a_power_is_that_of_their_text) {
+    std::mt19937_64 random(4);
+    std::size_t found_count = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const std::uint64_t digits = (random() >> (random() % 64)) % 10'000'000'000'000'000'000U;
+        const int exponent = static_cast<int>(random() % 700) - 360;
+        double found = 0;
+        if (!nearest_double(digits, exponent, i % 2 == 0, found)) continue;
+        ++found_count;
+        const std::string text = fmt::format("{}{}e{}", i % 2 == 0 ? "-" : "", digits, exponent);
+        ASSERT_TRUE(same_bits(found, parse_double(text).value())) << text;
+    }
+    EXPECT_GT(found_count, 99'000U);
 }
 
 }  // namespace

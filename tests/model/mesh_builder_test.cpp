@@ -263,8 +263,9 @@ TEST(Collapse, corners_compared_at_once_are_the_same_as_one_by_one) {
 std::string mesh_of_rows(ElementType type, const std::vector<std::uint32_t>& nodes, bool together) {
     Diagnostics diagnostics;
     MeshBuilder builder(diagnostics);
-    for (int id = 1; id <= 60; ++id) {
-        if (id % 9 != 0) builder.add_node(NodeId{id}, {1.0 * id, 0, 0});
+    // Zero is a node's number too, but in a row it says that a node is left out.
+    for (int id = 0; id <= 60; ++id) {
+        if (id == 0 || id % 9 != 0) builder.add_node(NodeId{id}, {1.0 * id, 0, 0});
     }
     builder.seal_nodes();
     const std::size_t width = element_row(type).node_count;
@@ -307,7 +308,9 @@ TEST(MeshBuilder, rows_added_together_are_what_they_are_one_by_one) {
             }
             const std::string together = mesh_of_rows(type, nodes, true);
             EXPECT_EQ(together, mesh_of_rows(type, nodes, false));
-            EXPECT_NE(together.find("row "), std::string::npos);
+            if (most > 8) {
+                EXPECT_NE(together.find("row "), std::string::npos);
+            }
         }
     }
 }

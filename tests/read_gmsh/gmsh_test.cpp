@@ -165,6 +165,81 @@ TEST(Gmsh, faces_of_solids_are_sets_and_no_shells) {
     EXPECT_EQ(mesh.element_sets[0].name, "all of it");
 }
 
+/// Everything that a mesh says.
+std::string written_out(const std::string& file) {
+    const auto opened = open_text(file);
+    const Mesh& mesh = opened->model->mesh();
+    std::string out;
+    for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+        out += fmt::format("{}", raw(mesh.node_ids[i]));
+        for (const double x : mesh.coordinates[i]) out += fmt::format(" {:a}", x);
+        out += '\n';
+    }
+    for (const ElementBlock& block : mesh.blocks) {
+        out += fmt::format("{}:", element_row(block.type).name);
+        for (const ElementId id : block.ids) out += fmt::format(" {}", raw(id));
+        for (const PartIndex part : block.parts) out += fmt::format(" {}", mesh.parts[raw(part)].name);
+        for (const NodeIndex node : block.nodes) out += fmt::format(" {}", raw(node));
+        out += '\n';
+    }
+    for (const NodeSet& set : mesh.node_sets) out += fmt::format("{} {}\n", set.name, set.nodes.size());
+    for (const ElementSet& set : mesh.element_sets)
+        out += fmt::format("{} {}\n", set.name, set.elements.size());
+    for (const auto& [name, count] : mesh.skipped_elements) out += fmt::format("{} {}\n", name, count);
+    for (const Diagnostic& one : opened->diagnostics.entries()) out += one.text + one.where + "\n";
+    return out;
+}
+
+/// The numbers of a section with more blanks between them than the fast way takes.
+std::string spaced_out(std::string file, const std::string& section) {
+    const std::size_t first = file.find("$" + section + "\n");
+    const std::size_t last = file.find("$End" + section);
+    std::string spaced;
+    for (const char c : file.substr(first, last - first)) {
+        if (c == ' ')
+            spaced += "   \t \t  ";
+        else
+            spaced += c;
+    }
+    return file.replace(first, last - first, spaced);
+}
+
+TEST(Gmsh, numbers_far_apart_are_the_same_mesh) {
+    const std::string box = test::read_file(test::project_file("tests/data/gmsh/box.msh"));
+    std::string old = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n400\n";
+    for (int i = 1; i <= 400; ++i)
+        old +=
+            fmt::format("{} {:.16g} {:.17g} {}\n", i, 0.1 * i, 1e7 / (i + 0.3), i % 3 == 0 ? "-1e-300" : "7");
+    old += "$EndNodes\n$Elements\n391\n";
+    // Now and then one that repeats nodes, names one that is not there or one beyond 32 bits.
+    for (int i = 1; i <= 391; ++i) {
+        const std::int64_t last = i % 97 == 0   ? std::int64_t{5'000'000'000}
+                                  : i % 61 == 0 ? 1000
+                                  : i % 31 == 0 ? i
+                                                : i + 7;
+        old += fmt::format(
+            "{} 5 2 {} {} {} {} {} {} {} {} {} {}\n",
+            i,
+            i / 50,
+            i / 70,
+            i,
+            i + 1,
+            i + 2,
+            i + 3,
+            i + 4,
+            i + 5,
+            i + 6,
+            last
+        );
+    }
+    old += "$EndElements\n";
+    for (const std::string& file : {box, old}) {
+        const std::string plain = written_out(file);
+        EXPECT_EQ(plain, written_out(spaced_out(file, "Nodes")));
+        EXPECT_EQ(plain, written_out(spaced_out(file, "Elements")));
+    }
+}
+
 TEST(Gmsh, a_plate_that_no_solid_has_stays_a_shell) {
     std::string text = test::read_file(test::project_file("tests/data/gmsh/box.msh"));
     const std::string row = "8 1 2 3 4\n";

@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -261,6 +262,67 @@ TEST(Unv, results_alone_say_that_the_mesh_is_missing) {
 TEST(Unv, other_text_is_not_taken_for_a_universal_file) {
     EXPECT_EQ(error_of("    -1\nnot a number\n").code(), Code::UnknownFormat);
     EXPECT_EQ(error_of("         1\n").code(), Code::UnknownFormat);
+}
+
+std::string mesh_written_out(const std::string& file) {
+    const auto opened = test::open_bytes({{"test.unv", file}});
+    const Mesh& mesh = opened->model->mesh();
+    std::string out;
+    for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+        out += fmt::format("{}", raw(mesh.node_ids[i]));
+        for (const double x : mesh.coordinates[i]) out += fmt::format(" {:a}", x);
+        out += '\n';
+    }
+    for (const ElementBlock& block : mesh.blocks) {
+        out += fmt::format("{}:", element_row(block.type).name);
+        for (const ElementId id : block.ids) out += fmt::format(" {}", raw(id));
+        for (const PartIndex part : block.parts) out += fmt::format(" {}", mesh.parts[raw(part)].name);
+        for (const NodeIndex node : block.nodes) out += fmt::format(" {}", raw(node));
+        out += '\n';
+    }
+    for (const auto& [name, count] : mesh.skipped_elements) out += fmt::format("{} {}\n", name, count);
+    for (const Diagnostic& one : opened->diagnostics.entries())
+        out += fmt::format("{} {} {}\n", one.where, one.text, one.count);
+    return out;
+}
+
+TEST(Unv, numbers_parted_by_tabs_are_the_same_mesh) {
+    std::string file = "    -1\n  2411\n";
+    for (int i = 1; i <= 600; ++i) {
+        std::string reals = fmt::format("{:25.16E}{:25.16E}{:25.16E}", 1.0 / i, -1e5 / 3 * i, 2e-9 * i);
+        std::ranges::replace(reals, 'E', 'D');
+        file += fmt::format("{:10}{:10}{:10}{:10}\n{}\n", i, 1, 1, 11, reals);
+    }
+    file += "    -1\n    -1\n  2412\n";
+    for (int i = 1; i <= 500; ++i) {
+        // Bricks; now and then a beam with its own line, a mass, a long tetrahedron, a node that is not
+        // there.
+        if (i % 41 == 0) {
+            file += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", i, 21, 7, 1, 7, 2);
+            file += fmt::format("{:10}{:10}{:10}\n{:10}{:10}\n", 0, 1, 1, i, i + 1);
+        } else if (i % 43 == 0) {
+            file += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n{:10}\n", i, 161, 7, 1, 7, 1, i);
+        } else if (i % 17 == 0) {
+            file += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", i, 118, 2, 1, 7, 10);
+            for (int k = 0; k < 10; ++k) file += fmt::format("{:10}{}", i + k, k == 7 || k == 9 ? "\n" : "");
+        } else {
+            file += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", i, 115, 1 + i / 200, 1, 7, 8);
+            for (int k = 0; k < 8; ++k) file += fmt::format("{:10}", i % 71 == 0 && k == 7 ? 900 : i + k);
+            file += '\n';
+        }
+    }
+    file += "    -1\n";
+    std::string odd;
+    for (std::size_t at = 0; at < file.size();) {
+        const std::size_t end = file.find('\n', at);
+        std::string line = file.substr(at, end + 1 - at);
+        if (line.size() > 8) std::ranges::replace(line, ' ', '\t');
+        odd += line;
+        at = end + 1;
+    }
+
+    EXPECT_EQ(mesh_written_out(file), mesh_written_out(odd));
+    EXPECT_NE(mesh_written_out(file).find("tet10: 17"), std::string::npos);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -30,14 +31,18 @@ public:
         for_each("PhysicalNames", [&](const Section& section) { read_names(section); });
         if (layout_.coding.version >= 40)
             for_each("Entities", [&](const Section& section) { read_entities(section); });
+        NodeRows all;
         for_each("Nodes", [&](const Section& section) {
-            each_node(input_, layout_.coding, section, [&](NodeId id, const Point3& place) {
-                builder_.add_node(id, place);
-            });
+            read_node_rows(input_, layout_.coding, section, all);
         });
+        builder_.add_nodes(std::move(all.ids), std::move(all.places));
         builder_.seal_nodes();
+        for_each("Elements", [&](const Section& section) {
+            read_element_rows(input_, layout_.coding, section, rows_);
+        });
         find_sides();
-        each([&](const ElementIn& element) { add(element); });
+        builder_.expect_elements(rows_.ids.size());
+        for (std::size_t i = 0; i < rows_.runs.size(); ++i) add_run(rows_.runs[i], rows_.end_of(i));
         for (auto& [place, nodes] : side_nodes_) {
             std::ranges::sort(nodes);
             nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -59,10 +64,16 @@ private:
             if (section.name == name) use(section);
         }
     }
-    void each(const UseElement& use) {
-        for_each("Elements", [&](const Section& section) {
-            each_element(input_, layout_.coding, section, use);
-        });
+    /// use(type, nodes) for each element of a known type.
+    template <class Use>
+    void for_each_element(const Use& use) const {
+        std::array<NodeId, kMaxElementNodes> room;
+        for (std::size_t r = 0; r < rows_.runs.size(); ++r) {
+            const ElementRows::Run& run = rows_.runs[r];
+            if (run.width() == 0) continue;
+            for (std::size_t i = run.first; i < rows_.end_of(r); ++i)
+                use(run.type->type, rows_.row(run, i, room));
+        }
     }
 
     void read_names(const Section& section) {
@@ -99,22 +110,25 @@ private:
     }
 
     void find_sides() {
-        each([&](const ElementIn& element) {
-            if (!element.nodes.empty()) sides_.add_candidate(element.type->type, element.nodes);
+        const bool has_candidates = std::ranges::any_of(rows_.runs, [](const ElementRows::Run& run) {
+            return run.width() != 0 && element_row(run.type->type).dimension < 3;
         });
-        if (sides_.empty()) return;
-        each([&](const ElementIn& element) {
-            if (!element.nodes.empty()) sides_.add_owner(element.type->type, element.nodes);
+        if (!has_candidates) return;
+        for_each_element([&](ElementType type, std::span<const NodeId> nodes) {
+            sides_.add_candidate(type, nodes);
+        });
+        for_each_element([&](ElementType type, std::span<const NodeId> nodes) {
+            sides_.add_owner(type, nodes);
         });
     }
 
-    /// Physical groups of an element; the first names its part.
-    std::vector<std::int64_t> groups_of(const ElementIn& element, int dimension) const {
+    /// Physical groups of elements; the first names their part.
+    std::vector<std::int64_t> groups_of(const ElementRows::Run& run, int dimension) const {
         if (layout_.coding.version < 40) {
-            if (element.physical == 0) return {};
-            return {element.physical};
+            if (run.physical == 0) return {};
+            return {run.physical};
         }
-        const auto found = groups_of_.find({dimension, element.entity});
+        const auto found = groups_of_.find({dimension, run.entity});
         return found != groups_of_.end() ? found->second : std::vector<std::int64_t>{};
     }
 
@@ -124,39 +138,74 @@ private:
                                                                : fmt::format("physical {}", place.second);
     }
 
-    void add(const ElementIn& element) {
-        const auto where = [&] {
-            return layout_.coding.binary ? input_.where_byte(element.offset)
-                                         : input_.where_line(element.offset);
-        };
-        if (element.nodes.empty()) {
-            diagnostics_.add(
-                Code::UnknownElementType,
-                where,
-                fmt::format(
-                    "elements of type {} ({}) are left out: their order is above two",
-                    element.type->number,
-                    element.type->name
-                )
-            );
+    std::string where(std::size_t i) const {
+        return layout_.coding.binary ? input_.where_byte(rows_.offsets[i])
+                                     : input_.where_line(rows_.offsets[i]);
+    }
+
+    void report_unknown(const ElementRows::Run& run, std::size_t count) {
+        diagnostics_.add(
+            Code::UnknownElementType,
+            [&] { return where(run.first); },
+            fmt::format(
+                "elements of type {} ({}) are left out: their order is above two",
+                run.type->number,
+                run.type->name
+            ),
+            count
+        );
+    }
+
+    void add_run(const ElementRows::Run& run, std::size_t end) {
+        const std::size_t count = end - run.first;
+        if (run.width() == 0) {
+            report_unknown(run, count);
             return;
         }
-        const ElementType type = element.type->type;
+        const ElementType type = run.type->type;
         const int dimension = element_row(type).dimension;
-        const std::vector<std::int64_t> groups = groups_of(element, dimension);
-        if (sides_.is_side(type, element.nodes)) {
-            builder_.skip_element(fmt::format("{} on the side of another element", element.type->name));
+        const std::vector<std::int64_t> groups = groups_of(run, dimension);
+        const bool may_be_sides = !sides_.empty() && dimension < 3;
+        std::array<NodeId, kMaxElementNodes> room;
+        if (may_be_sides || run.is_wide) {
+            for (std::size_t i = run.first; i < end; ++i) add(run, i, rows_.row(run, i, room), groups);
+            return;
+        }
+        const auto ids = std::span(rows_.ids).subspan(run.first, count);
+        for (std::size_t i = 1; i < groups.size(); ++i) {
+            std::vector<ElementId>& members = further_groups_[{dimension, groups[i]}];
+            members.insert(members.end(), ids.begin(), ids.end());
+        }
+        builder_.add_elements(
+            type,
+            part_of(dimension, groups, run.entity),
+            ids,
+            rows_.nodes_of(run, run.first, count),
+            [&](std::size_t row) { return where(run.first + row); }
+        );
+    }
+
+    void add(
+        const ElementRows::Run& run,
+        std::size_t i,
+        std::span<const NodeId> nodes,
+        const std::vector<std::int64_t>& groups
+    ) {
+        const ElementType type = run.type->type;
+        const int dimension = element_row(type).dimension;
+        if (sides_.is_side(type, nodes)) {
+            builder_.skip_element(fmt::format("{} on the side of another element", run.type->name));
             for (const std::int64_t group : groups) {
-                std::vector<NodeId>& nodes = side_nodes_[{dimension, group}];
-                nodes.insert(nodes.end(), element.nodes.begin(), element.nodes.end());
+                std::vector<NodeId>& members = side_nodes_[{dimension, group}];
+                members.insert(members.end(), nodes.begin(), nodes.end());
             }
             return;
         }
-        for (std::size_t i = 1; i < groups.size(); ++i)
-            further_groups_[{dimension, groups[i]}].push_back(ElementId{element.id});
-        builder_.add_element(
-            ElementId{element.id}, type, element.nodes, part_of(dimension, groups, element.entity), where
-        );
+        for (std::size_t g = 1; g < groups.size(); ++g)
+            further_groups_[{dimension, groups[g]}].push_back(rows_.ids[i]);
+        builder_.add_element(rows_.ids[i], type, nodes, part_of(dimension, groups, run.entity), [&] {
+            return where(i);
+        });
     }
 
     PartIndex part_of(int dimension, const std::vector<std::int64_t>& groups, std::int64_t entity) {
@@ -178,6 +227,7 @@ private:
     MeshBuilder builder_;
     std::map<Place, std::string> names_;
     std::map<Place, std::vector<std::int64_t>> groups_of_;
+    ElementRows rows_;
     SideMarkers sides_;
     std::map<Place, std::vector<NodeId>> side_nodes_;
     std::map<Place, std::vector<ElementId>> further_groups_;

@@ -122,7 +122,7 @@ std::string_view Numbers::word() {
     return text.substr(first, at_ - first);
 }
 
-std::int64_t Numbers::text_integer() {
+std::int64_t Numbers::any_integer() {
     const auto value = parse_integer(word());
     if (!value) bad("a whole number");
     return *value;

@@ -3,6 +3,7 @@
 
 #include "read/text_lines.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -11,7 +12,11 @@ namespace {
 
 /// "    -1" and nothing else: longer lines cannot be one, whatever they hold.
 bool is_delimiter(std::string_view line) {
-    return line.size() >= 2 && trim(line) == "-1";
+    if (line.size() < 2) return false;
+    // By its first character: nearly every line is a number's.
+    const std::size_t first = std::min(line.find_first_not_of(' '), line.size() - 1);
+    if (line[first] > ' ' && line[first] != '-') return false;
+    return trim(line) == "-1";
 }
 
 /// The number of a dataset; binary ones (58b) say how many bytes follow.
