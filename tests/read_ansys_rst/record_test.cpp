@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace feelem::rst {
@@ -32,7 +33,12 @@ Records records_of(std::uint8_t flags, const Bytes& payload) {
 }
 
 std::vector<double> reals(std::uint8_t flags, const Bytes& payload, std::size_t most = 1000) {
-    return records_of(flags, payload).reals(0, most);
+    const Records records = records_of(flags, payload);
+    std::vector<double> unpacked = records.reals(0, most);
+    const Reals seen(records, records.find(0), most);
+    EXPECT_EQ(seen.size(), unpacked.size());
+    for (std::size_t i = 0; i < std::min(seen.size(), unpacked.size()); ++i) EXPECT_EQ(seen[i], unpacked[i]);
+    return unpacked;
 }
 
 std::vector<std::int32_t> integers(std::uint8_t flags, const Bytes& payload) {

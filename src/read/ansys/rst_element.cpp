@@ -259,7 +259,8 @@ std::vector<std::uint32_t> elements_in_mesh_order(const FileMesh& mesh) {
     for (std::uint32_t i = 0; i < mesh.elements.size(); ++i) {
         if (mesh.elements[i].index != kNoElement) order.push_back(i);
     }
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return mesh.elements[i].index; });
+    const auto place = [&](std::uint32_t i) { return mesh.elements[i].index; };
+    if (!std::ranges::is_sorted(order, {}, place)) std::ranges::stable_sort(order, {}, place);
     // An id that stands twice in a damaged file: the first one has the results.
     const auto is_same = [&](std::uint32_t a, std::uint32_t b) {
         return mesh.elements[a].index == mesh.elements[b].index;

@@ -263,7 +263,8 @@ private:
         for (const ElementBlock& block : out_.mesh.blocks) {
             for (const ElementId id : block.ids) by_id_.emplace_back(id, ElementIndex{index++});
         }
-        std::ranges::stable_sort(by_id_, {}, &IdAndIndex::first);
+        if (!std::ranges::is_sorted(by_id_, {}, &IdAndIndex::first))
+            std::ranges::stable_sort(by_id_, {}, &IdAndIndex::first);
         for (FileElement& element : out_.elements) {
             if (element.corner_count > 0) element.index = find_element_index(element.id);
         }

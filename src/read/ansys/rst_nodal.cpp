@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "read/ansys/rst_nodal.hpp"
 
+#include "base/huge_pages.hpp"
 #include "base/letter_case.hpp"
 
 #include "feelem/error.hpp"
@@ -226,6 +227,7 @@ public:
         : records_(records), set_(set), result_(result), row_nodes_(row_nodes) {}
 
     NodalValues read(std::size_t node_count) {
+        reserve_big(out_.values, node_count * result_.columns.size());
         out_.values.assign(node_count * result_.columns.size(), std::numeric_limits<float>::quiet_NaN());
         if (result_.record == NodalRecord::Reaction) {
             read_reactions();
@@ -240,8 +242,7 @@ private:
         const Word at = result_.at;
         const std::size_t width = result_.width;
         const Record record = records_.find(at);
-        std::vector<double> values;
-        records_.unpack(record, row_nodes_.size() * std::max<std::size_t>(1, width), values);
+        const Reals values(records_, record, row_nodes_.size() * std::max<std::size_t>(1, width));
         if (width == 0 || values.size() % width != 0 || result_.columns.back() >= width)
             bad(at, fmt::format("{} values in rows of {}", values.size(), width));
         const std::size_t rows = values.size() / width;
@@ -271,8 +272,7 @@ private:
         const Record index = records_.find(result_.at);
         std::vector<std::int32_t> places;
         records_.unpack(index, 2 * set_.reactions, places);
-        std::vector<double> values;
-        records_.unpack(records_.find(index.next), set_.reactions, values);
+        const Reals values(records_, records_.find(index.next), set_.reactions);
         const bool is_wide = places.size() >= 2 * set_.reactions;
         const std::size_t count = std::min(is_wide ? places.size() / 2 : places.size(), values.size());
         const std::size_t width = set_.dofs.size();

@@ -280,6 +280,19 @@ std::size_t Records::count(const Record& record) {
     return size > 0 ? static_cast<std::size_t>(size) : 0;
 }
 
+Reals::Reals(const Records& records, const Record& record, std::size_t most) {
+    is_half_ = (record.flags & kHalf) != 0;
+    if ((record.flags & (kInteger | kZlib | kWindows | kMask)) == 0) {
+        bytes_ = record.payload.data();
+        size_ = std::min(most, Records::count(record));
+        return;
+    }
+    is_half_ = false;
+    records.unpack(record, most, unpacked_);
+    bytes_ = reinterpret_cast<const std::byte*>(unpacked_.data());
+    size_ = unpacked_.size();
+}
+
 std::vector<std::int32_t> Records::integers(Word at, std::size_t most) const {
     std::vector<std::int32_t> out;
     unpack(find(at), most, out);

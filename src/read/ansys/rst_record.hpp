@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,6 +53,34 @@ public:
 
 private:
     Input input_;
+};
+
+/// The reals of a record: seen where they stand when it is not packed, else unpacked.
+class Reals {
+public:
+    /// `most`: as Records::unpack has it.
+    Reals(const Records& records, const Record& record, std::size_t most);
+    Reals(const Reals&) = delete;
+    Reals& operator=(const Reals&) = delete;
+
+    std::size_t size() const noexcept { return size_; }
+    /// Below size().
+    double operator[](std::size_t i) const noexcept {
+        if (is_half_) {
+            float value = 0;
+            std::memcpy(&value, bytes_ + i * sizeof value, sizeof value);
+            return static_cast<double>(value);
+        }
+        double value = 0;
+        std::memcpy(&value, bytes_ + i * sizeof value, sizeof value);
+        return value;
+    }
+
+private:
+    std::vector<double> unpacked_;
+    const std::byte* bytes_ = nullptr;
+    std::size_t size_ = 0;
+    bool is_half_ = false;
 };
 
 /// A 64-bit number out of two words, the low one first.
