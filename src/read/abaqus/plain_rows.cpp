@@ -75,15 +75,23 @@ public:
         const char* end = nullptr;
         for (std::size_t i = 0; i < count; ++i) {
             end = ends.next();
-            // Behind a comma a row goes on in the next line.
-            if (end != nullptr && *end == '\n' && i > 0 && is_blank_field({first, end})) {
+            if (end == nullptr) return nullptr;
+            if (*end == '\n' && i + 1 < count) {
+                // Behind a comma a row goes on in the next line.
+                if (i == 0 || !is_blank_field({first, end})) return nullptr;
                 first = end + 1;
                 end = ends.next();
+                if (end == nullptr || *end != ',') return nullptr;
+            } else if (i + 1 == count && *end == '\n' && is_blank_field({first, end})) {
+                first = end + 1;
+                end = ends.next();
+                if (end == nullptr) return nullptr;
             }
-            if (end == nullptr || *end != (i + 1 < count ? ',' : '\n')) return nullptr;
-            fields_[i] = field_to(first, end);
+            fields_[i] = {first, end};
             first = end + 1;
         }
+        if (*end != '\n') return nullptr;
+        fields_[count - 1] = field_to(fields_[count - 1].first, end);
         const auto fields = std::span(fields_).first(count);
         if (!whole_numbers_between(fields, numbers_.data()) && !read_trimmed(fields)) return nullptr;
         return numbers_[0] == 0 ? nullptr : first;
@@ -175,11 +183,13 @@ std::size_t PlainElementRows::read(std::string_view text, std::size_t from, std:
             reserve_big(nodes, ids.capacity() * width);
         }
         ids.push_back(reader.id());
-        const std::size_t first = nodes.size();
-        nodes.resize(first + width);
         const auto found = reader.nodes();
-        for (std::size_t i = 0; i < width; ++i)
-            nodes[first + i] = static_cast<Label>(found[type->order.empty() ? i : type->order[i]]);
+        if (type->order.empty()) {
+            nodes.insert(nodes.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(width));
+        } else {
+            for (std::size_t i = 0; i < width; ++i)
+                nodes.push_back(static_cast<Label>(found[type->order[i]]));
+        }
         row = next;
     }
     return static_cast<std::size_t>(row - text.data());

@@ -7,6 +7,7 @@
 #include "read/text_lines.hpp"
 #include "read/unv/plain_records.hpp"
 #include "read/unv/unv_elements.hpp"
+#include "read/unv/unv_groups.hpp"
 #include "read/unv/unv_systems.hpp"
 
 #include "feelem/error.hpp"
@@ -26,12 +27,6 @@ namespace feelem::unv {
 namespace {
 
 constexpr std::size_t kMostNodesOfAnElement = 64;
-
-struct Group {
-    std::string name;
-    std::vector<NodeId> nodes;
-    std::vector<ElementId> elements;
-};
 
 struct NodeRows {
     std::vector<NodeId> ids;
@@ -61,7 +56,7 @@ public:
         builder_.seal_nodes();
         for_each({2412, 780}, [&](const Dataset& dataset) { read_elements(dataset); });
         for_each({2467, 2477, 2435, 2452, 2430, 2429, 2432}, [&](const Dataset& dataset) {
-            read_groups(dataset);
+            read_groups(input_, dataset, groups_);
         });
         for (const Group& group : groups_) {
             if (!group.nodes.empty()) builder_.add_node_set(group.name, group.nodes);
@@ -326,41 +321,6 @@ private:
         alike_.ids.clear();
         alike_.starts.clear();
         alike_.nodes.clear();
-    }
-
-    void read_groups(const Dataset& dataset) {
-        TextLines lines(input_, dataset.first, dataset.last);
-        const bool with_leaves = dataset.number > 2432;  // Two more numbers an entity.
-        while (auto line = lines.next()) {
-            if (trim(*line).empty()) continue;
-            const auto number = take_integer(*line);
-            std::int64_t count = 0;
-            while (const auto value = take_integer(*line)) count = *value;
-            if (!number || count < 0)
-                bad(lines,
-                    Code::BadNumber,
-                    "a group's head needs its number and, last, its number of entities");
-            Group group;
-            group.name = trim(lines.next().value_or(std::string_view{}));
-            if (group.name.empty()) group.name = fmt::format("group {}", *number);
-            std::string_view rest;
-            for (std::int64_t i = 0; i < count; ++i) {
-                if (trim(rest).empty()) rest = lines.next().value_or(std::string_view{});
-                const auto kind = take_integer(rest);
-                const auto id = take_integer(rest);
-                if (!kind || !id)
-                    bad(lines,
-                        Code::BadNumber,
-                        fmt::format("group \"{}\" should list {} entities", group.name, count));
-                if (with_leaves) {
-                    take_word(rest);
-                    take_word(rest);
-                }
-                if (*kind == 7) group.nodes.push_back(NodeId{*id});
-                if (*kind == 8) group.elements.push_back(ElementId{*id});
-            }
-            groups_.push_back(std::move(group));
-        }
     }
 
     void report() {
