@@ -284,7 +284,7 @@ UiModel panel_model(Viewer& viewer, const Look& look, const Snapshot& snapshot, 
     list_places(viewer, out);
     out.edges = state.edges;
     out.ghost = state.ghost;
-    out.sound = {state.person.master, !state.sound, state.person.mono, devices.sound_trouble};
+    out.sound = {state.person.master, !state.sound, state.person.mono, devices.sound_trouble, state.guide};
     out.touch = {state.person.strength, !state.touch, devices.touch_trouble};
     out.headset = devices.headset;
     out.certificate = facts_of(scene);

@@ -71,6 +71,12 @@ void go_home(ViewerState& state, const ViewedModel& model, bool is_headset) {
     if (!is_headset) put_on_table(state, model, {});
 }
 
+void toggle_guide(ViewerState& state) {
+    state.guide = !state.guide;
+    state.notice = state.guide ? "Press and sweep: the ticks are fastest at the largest value."
+                               : "Ticks mean values again.";
+}
+
 void remove_markers(ViewerState& state) {
     state.notice = state.markers.empty() ? "There are no notes." : "All notes are gone.";
     state.markers.clear();
@@ -149,6 +155,7 @@ void run(ViewerState& state, const ViewedModel& model, Command command, const Ci
     case Command::NextResult: next_result(state, model); break;
     case Command::ToggleMute: state.sound = !state.sound; break;
     case Command::ToggleStill: state.touch = !state.touch; break;
+    case Command::ToggleGuide: toggle_guide(state); break;
     case Command::ToggleClip: toggle_cuts(state, model); break;
     case Command::ClipForward: move_cut(state, model, 0, kClipStep); break;
     case Command::ClipBack: move_cut(state, model, 0, -kClipStep); break;

@@ -59,6 +59,7 @@ enum class Command : std::uint8_t {
     NextResult,
     ToggleMute,
     ToggleStill,  ///< No vibration.
+    ToggleGuide,  ///< Find the largest value by ear.
     ToggleClip,
     ClipForward,
     ClipBack,

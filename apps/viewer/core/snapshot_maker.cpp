@@ -103,6 +103,24 @@ SoundFrame sound_of(
     return sound;
 }
 
+/// Ticks alone: the faster, the higher the value of what is seen ranks; at the top it is said once.
+SoundFrame guiding_sound(
+    const MakerFrame& frame, const Probed& probed, SnapshotMaker::Hand& hand, std::vector<SenseEvent>& events
+) {
+    SoundFrame sound;
+    const Sensed seen = frame.sensed(probed, Sense::Colour);
+    double rank = 0;
+    if (seen.is_there && !std::isnan(seen.value)) {
+        const FieldChoice field = reading_of(probed, seen.result->key)->field;
+        rank = frame.maker.ranks.rank(frame.state, frame.model, field, seen.value);
+        sound.tick_rate = guide_rate(rank);
+    }
+    const bool is_top = rank >= kTopRank;
+    if (is_top && !hand.on_top) events.push_back(SenseEvent::Maximum);
+    hand.on_top = is_top;
+    return sound;
+}
+
 std::optional<HapticFrame> touch_of(const MakerFrame& frame, const Probed& probed, bool beyond, bool still) {
     const Sensed pulses = frame.sensed(probed, Sense::Pulses);
     if (!pulses.is_there) return std::nullopt;
@@ -175,7 +193,7 @@ void watch_bands(
 void forget(SnapshotMaker::Hand& hand) {
     for (auto& [key, watch] : hand.watches) watch.left();
     hand.band.reset();
-    hand.at_maximum = hand.at_minimum = hand.on_model = false;
+    hand.at_maximum = hand.at_minimum = hand.on_model = hand.on_top = false;
 }
 
 struct Heard {
@@ -192,6 +210,7 @@ Heard hear(const MakerFrame& frame, const SkinHit& hit, SnapshotMaker::Hand& han
     if (!hand.on_model && frame.state.events.enter) heard.events.push_back(SenseEvent::Enter);
     hand.on_model = true;
     heard.beyond = watch_limits(frame, heard.probed, hand, heard.events);
+    if (frame.state.guide) return heard;
     watch_ends(frame, heard.probed, hand, heard.events);
     watch_bands(frame, heard.probed, hand, heard.events);
     return heard;
@@ -291,14 +310,17 @@ Snapshot make_snapshot(
             if (leads) snapshot.probed = read_place(state, model, *pointer.hit);
             continue;
         }
-        const Heard heard = hear(frame, *pointer.hit, maker.pointers[i]);
+        Heard heard = hear(frame, *pointer.hit, maker.pointers[i]);
         if (state.touch && pointer.can_vibrate) {
             snapshot.touch[side_of(name)] = touch_of(frame, heard.probed, heard.beyond, heard.still);
         }
         if (!leads) continue;
         snapshot.is_held = true;
+        const SoundFrame sound = state.guide
+                                     ? guiding_sound(frame, heard.probed, maker.pointers[i], heard.events)
+                                     : sound_of(frame, heard.probed, pointer, heard.beyond, heard.still);
         snapshot.events = said_now(frame, heard.events);
-        if (state.sound) snapshot.sound = sound_of(frame, heard.probed, pointer, heard.beyond, heard.still);
+        if (state.sound) snapshot.sound = sound;
         snapshot.probed = heard.probed;
     }
     if (snapshot.probed) {

@@ -2,6 +2,7 @@
 // From where the pointers are to what is seen, heard and felt: one snapshot a frame.
 #pragma once
 
+#include "viewer/core/guidance.hpp"
 #include "viewer/core/interaction.hpp"
 #include "viewer/core/snapshot.hpp"
 
@@ -44,9 +45,11 @@ struct SnapshotMaker {
         bool on_model = false;
         std::optional<int> band;  ///< Of the coloured result, while held.
         bool at_maximum = false, at_minimum = false;
+        bool on_top = false;  ///< While the ticks lead to the largest value: it has been said.
     };
     std::array<Hand, kPointers> pointers;  ///< By Pointer.
     std::map<SenseEvent, double> said;     ///< When each event came last.
+    RankList ranks;
     std::uint64_t frame = 0;
 };
 

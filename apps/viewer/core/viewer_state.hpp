@@ -111,6 +111,7 @@ struct ViewerState {
     std::optional<LookAt> look_at;  ///< A wish: the desk's camera goes there, and who has it takes this away.
     bool sound = true;              ///< False: muted.
     bool touch = true;              ///< False: still, no vibration.
+    bool guide = false;             ///< Ticks lead to the largest value of what is seen.
     Person person;
     EventOptions events;
     glm::mat4 placement{1};  ///< Metres of the model -> metres of the world.

@@ -39,6 +39,7 @@ constexpr std::array kBindings{
     bound("Tab", "Tab", "next result is seen", Command::NextResult),
     bound("M", "M", "mute", Command::ToggleMute),
     bound("V", "V", "touch on, off", Command::ToggleStill),
+    bound("Z", "Z", "find the largest value by ear", Command::ToggleGuide),
     bound("C", "C", "cut the model, or not", Command::ToggleClip),
     bound("[", "[", "plane back", Command::ClipBack),
     bound("]", "]", "plane ahead", Command::ClipForward),

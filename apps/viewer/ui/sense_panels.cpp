@@ -31,6 +31,7 @@ void sound_panel(Pen& pen) {
     );
     if (volume) pen.wish(SetVolume{*volume});
     if (check(pen, "sound/mono", "the same in both ears", sound.is_mono)) pen.wish(SetMono{!sound.is_mono});
+    if (check(pen, "sound/guide", "find the largest by ear", sound.is_guided)) pen.wish(Command::ToggleGuide);
     if (!sound.trouble.empty()) soft_lines(pen, sound.trouble);
 }
 

@@ -114,7 +114,8 @@ struct UiMarker {
 struct UiSound {
     double volume = 0.5;
     bool is_muted = false, is_mono = false;
-    std::string trouble;  ///< "no sound device"; empty: none.
+    std::string trouble;     ///< "no sound device"; empty: none.
+    bool is_guided = false;  ///< Ticks lead to the largest value.
 };
 
 struct UiTouch {
