@@ -15,6 +15,8 @@ using namespace std::chrono_literals;
 
 /// A question without news is answered after so long: shorter than what any side takes for silence.
 constexpr auto kLongestWait = 10s;
+/// News of progress come no faster: who shows them wants the same cores as who makes them.
+constexpr auto kBetweenNews = 250ms;
 /// How often it is looked whether somebody still waits.
 constexpr auto kLook = 250ms;
 
@@ -91,9 +93,11 @@ std::string Opening::json() const {
 
 void Opening::answer_progress(const Exchange& exchange, const IsGone& is_gone) {
     const std::uint64_t after = version_asked(exchange.request);
+    const auto soonest = std::chrono::steady_clock::now() + (after == 0 ? 0ms : kBetweenNews);
     std::unique_lock lock(mutex_);
     // A version from another run of this server is no reason to wait.
     wait(lock, is_gone, [&] { return version_ != after || state_ != State::Reading; });
+    news_.wait_until(lock, soonest, [this] { return state_ != State::Reading; });
     exchange.response.status = 200;
     exchange.response.set_header("Cache-Control", "no-store");
     exchange.response.set_content(json(), "application/json");
