@@ -332,7 +332,10 @@ export class App implements ApiSource {
   }
 
   #stateChanged(state: ViewState, before: ViewState): void {
-    if (isNewsAlone(state, before)) return this.#pageView.render();
+    if (isNewsAlone(state, before)) {
+      this.#pageView.render();
+      return;
+    }
     if (state.step !== before.step || state.doc !== before.doc) this.#refreshed = this.view.refresh();
     if (state.deformMode !== before.deformMode || state.typedFactor !== before.typedFactor)
       this.view.applyFactor();
