@@ -44,6 +44,8 @@ export class Shell {
   readonly #drawing: Drawing;
   #app: App | null = null;
   #page: Page;
+  /** Somebody has opened another scene than that of the address. */
+  #isOther = false;
 
   constructor(host: HTMLElement, drawing: Drawing) {
     this.#host = host;
@@ -74,6 +76,8 @@ export class Shell {
       if (opening) await this.#open(opening, sceneUrl);
       else await this.#show(await fetchScene(sceneUrl), sceneUrl, served);
     } catch (error) {
+      // Whatever it is, it is not about the scene that is seen.
+      if (this.#isOther) return;
       const reason = error instanceof Error ? error.message : String(error);
       if (this.#app?.view.isPreview) this.#app.setReading({ stage: "", percent: 0, failed: reason });
       else this.#page.showFailure(reason);
@@ -123,6 +127,7 @@ export class Shell {
         const opened = await openScene(scene.stream(), beside);
         // The view in the address was that of another scene.
         history.replaceState(history.state, "", location.pathname + location.search);
+        this.#isOther = true;
         await this.#show(opened, scene.name, false);
       }
       if (presentation) this.#app?.openPresentation(JSON.parse(await presentation.text()));

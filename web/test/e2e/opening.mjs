@@ -321,6 +321,29 @@ export const openingTests = [
     },
   },
   {
+    name: "opening_that_ends_badly_says_nothing_over_another_scene",
+    async run({ browser }) {
+      const server = await growing();
+      const { page, context } = await openShape(browser, server);
+      const { glb } = tinyScene();
+      await page.evaluate(
+        (bytes) => {
+          const data = new DataTransfer();
+          data.items.add(new File([new Uint8Array(bytes)], "other.glb"));
+          window.dispatchEvent(new DragEvent("drop", { dataTransfer: data }));
+        },
+        [...new Uint8Array(glb)],
+      );
+      await until(page, isShape, (is) => is === false, "the other scene");
+      await page.locator("table.assign").waitFor();
+      await server.close();
+      await page.waitForTimeout(3000);
+      assert.equal(await page.locator(".banner").count(), 0);
+      assert.ok(!/was ended/.test(await words(page, "#app")), "it is not about this scene");
+      await context.close();
+    },
+  },
+  {
     name: "opening_of_a_model_by_the_program_ends_in_the_scene_that_convert_makes",
     skip: whyNot,
     async run({ browser }) {
