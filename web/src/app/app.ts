@@ -139,9 +139,19 @@ export class App implements ApiSource {
     const before = firstState(this.view.scene);
     if (!this.view.adopt(scene)) return false;
     this.feature<Links>("links").settle(firstState(this.view.scene), before);
-    await this.#refreshed;
+    // Until values are there as well nobody may take them for missing.
+    await this.#allRefreshed();
+    this.store.set({ reading: null });
+    this.#reshown();
     this.say("The results are there.");
     return true;
+  }
+
+  /** Also what was asked for while it was waited. */
+  async #allRefreshed(): Promise<void> {
+    const refreshed = this.#refreshed;
+    await refreshed;
+    if (refreshed !== this.#refreshed) await this.#allRefreshed();
   }
 
   get vrAnswer() {

@@ -54,6 +54,8 @@ export class ModelView {
   #largestDisplacement = 0;
   #loadedStep = Number.NaN;
   #turn = 0;
+  /** The shape can be pointed at before its results are there. */
+  #isPointedAt = false;
   /** Refreshes that are waiting for their results. */
   #loading = 0;
   #imaginary: readonly (Float32Array | null)[] | null = null;
@@ -94,6 +96,7 @@ export class ModelView {
     this.#scene = scene;
     // Nothing is coloured yet.
     this.#loadedStep = Number.NaN;
+    this.#isPointedAt = true;
     return true;
   }
 
@@ -215,8 +218,9 @@ export class ModelView {
     const presented = presentedOf(doc, this.scene.extras);
     const shape = this.#shapeResult();
     const wanted = this.#wantedAt(step);
-    // Nothing is coloured yet: the colour does not wait for what is heard and felt.
-    const seen = Number.isNaN(this.#loadedStep) ? drivenBy(doc, "colour") : null;
+    // Nothing is coloured yet: the colour does not wait for what is heard and felt, unless that could be read as missing.
+    const isFirst = Number.isNaN(this.#loadedStep) && !this.#isPointedAt;
+    const seen = isFirst ? drivenBy(doc, "colour") : null;
     const first = presented.find((p) => p.key === seen && p.result);
     const problems: string[] = [];
     const loaded = new Map<SceneResult, Fields>();

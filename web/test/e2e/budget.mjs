@@ -16,7 +16,7 @@ const probe = () => window.feelem.lastProbe();
 const sent = () => globalThis.watched.bufferBytes;
 
 /** Where the bytes of a named accessor start in a .glb. */
-function startOf(bytes, name) {
+export function startOf(bytes, name) {
   const length = new DataView(bytes).getUint32(12, true);
   const json = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 20, length)));
   const { bufferView } = json.accessors.find((a) => a.name === name);

@@ -9,6 +9,7 @@ import { previewOf } from "../support/preview-scene.ts";
 import { tinyScene } from "../support/tiny-scene.ts";
 import { faults } from "./access.mjs";
 import { tell } from "./binary.mjs";
+import { startOf } from "./budget.mjs";
 import { openPage, pixelsOf, until } from "./harness.mjs";
 import { goTo } from "./keep.mjs";
 import { BOILER, BOILER_OPTIONS, view, whyNot } from "./program.mjs";
@@ -318,6 +319,50 @@ export const openingTests = [
       assert.deepEqual(problems, []);
       await context.close();
       await server.close();
+    },
+  },
+  {
+    name: "opening_values_that_are_on_their_way_are_not_taken_for_missing",
+    async run({ browser }) {
+      const { glb } = tinyScene({ bars: 2 });
+      for (const first of ["p0/_TEMPERATURE/1", "p0/_STRESS_VON_MISES/1"]) {
+        const server = await growing();
+        let letGo = () => {};
+        const free = new Promise((resolve) => {
+          letGo = resolve;
+        });
+        server.files.set("scene.glb", { whole: new Uint8Array(glb), hold: startOf(glb, first), free });
+        const { page, context, problems } = await openShape(browser, server);
+        await goTo(page, 1001);
+        server.say({ state: "ready", percent: 100 });
+        await until(
+          page,
+          () => window.feelem.scene().results.length,
+          (n) => n > 0,
+          "the scene's head",
+        );
+        await page.waitForTimeout(600);
+        const { x, y } = await middle(page);
+        await page.mouse.move(x + 1, y);
+        const report = await until(page, probe, Boolean, "the place");
+        const seen = await words(page, "#app");
+        assert.deepEqual(report.results, [], `nothing is read of what has not come, ${first}`);
+        for (const area of [".legend", ".card:not(.inside)"])
+          assert.match(await words(page, area), /still being read/, area);
+        assert.ok(!/no results?\b|not in this scene/i.test(seen), seen);
+        letGo();
+        await page.evaluate(() => window.feelem.ready);
+        await until(page, probe, (r) => r?.results.length > 0 && r.results[0].value !== null, "the values");
+        await until(
+          page,
+          () => document.querySelector("#app").innerText,
+          (text) => !/still being read/i.test(text),
+          "the last word of reading",
+        );
+        assert.deepEqual(problems, []);
+        await context.close();
+        await server.close();
+      }
     },
   },
   {

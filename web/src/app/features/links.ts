@@ -85,7 +85,6 @@ export class Links implements Feature {
       ...(!state.ghost && this.#asked.ghost === undefined && { ghost }),
       ...(problem !== null && { problem }),
       person,
-      reading: null,
     });
     this.#asked = {};
     this.#settled = true;
