@@ -37,6 +37,8 @@ double seconds_now() {
 Terminal::Terminal(bool verbose) : verbose_(verbose), has_bar_(!verbose && isatty(STDERR_FILENO) == 1) {
     std::signal(SIGINT, note_interrupt);
     std::signal(SIGTERM, note_interrupt);
+    // The terminal was closed; under nohup that is no reason to end.
+    if (std::signal(SIGHUP, note_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
     if (verbose_) watcher_ = std::thread([this] { watch_memory(); });
 }
 

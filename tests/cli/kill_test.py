@@ -49,6 +49,22 @@ def check_folder(folder, name, whole):
             fail(f"{name} is neither the old nor the new output")
 
 
+def check_hung_up_view(program, source, folder):
+    """The terminal is closed while only the shape is shown: nothing stays in the folder for what passes."""
+    folder.mkdir()
+    process = subprocess.Popen([program, "view", source, "--no-open"], stdout=subprocess.PIPE,
+                               stderr=subprocess.DEVNULL, text=True, env={**os.environ, "TMPDIR": str(folder)},
+                               preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
+    for line in process.stdout:
+        if line.startswith("Its shape is there"):
+            break
+    process.send_signal(signal.SIGHUP)
+    code = process.wait(timeout=60)
+    # 0: the results were there already.
+    if code not in (0, 1) or os.listdir(folder):
+        fail(f"a view whose terminal was closed ended with {code} and left {os.listdir(folder)}")
+
+
 def main():
     program, source = sys.argv[1], pathlib.Path(sys.argv[2]) / "examples/boiler/hex_linear/static.frd"
     good = source.read_bytes()
@@ -102,6 +118,8 @@ def main():
             if code not in (0, 1, -signal.SIGINT) or (code != 0 and os.listdir(folder)):
                 fail(f"Ctrl-C ended with {code} and left {os.listdir(folder)}")
             cancelled += code == 1
+        for run in range(5):
+            check_hung_up_view(program, source, pathlib.Path(scratch, f"hung{run}"))
     print(f"{cancelled} cancelled, {killed} killed, {refused} refused, {finished} used in part, {RUNS // 2 - killed} finished before the kill")
     if killed < 5 or refused + finished == 0:
         fail("too few runs were killed to mean anything")
