@@ -74,7 +74,10 @@ export class Shell {
     const opening = served ? Opening.find() : null;
     try {
       if (opening) await this.#open(opening, sceneUrl);
-      else await this.#show(await fetchScene(sceneUrl), sceneUrl, served);
+      else {
+        await this.#show(await fetchScene(sceneUrl), sceneUrl, served);
+        this.#sayUnfinished();
+      }
     } catch (error) {
       // Whatever it is, it is not about the scene that is seen.
       if (this.#isOther) return;
@@ -112,6 +115,12 @@ export class Shell {
     await this.#show(scene, sceneUrl, true);
   }
 
+  /** The shape alone, kept as a file: nobody is reading its results. */
+  #sayUnfinished(): void {
+    const failed = "This file was made before they were. Open the finished scene.";
+    this.#app?.setReading({ stage: "", percent: 0, failed });
+  }
+
   /** A scene with its side files, or a presentation for the scene that is open. */
   async openFiles(files: readonly File[]): Promise<void> {
     try {
@@ -129,6 +138,7 @@ export class Shell {
         history.replaceState(history.state, "", location.pathname + location.search);
         this.#isOther = true;
         await this.#show(opened, scene.name, false);
+        this.#sayUnfinished();
       }
       if (presentation) this.#app?.openPresentation(JSON.parse(await presentation.text()));
       if (!scene && !presentation)

@@ -389,6 +389,18 @@ export const openingTests = [
     },
   },
   {
+    name: "opening_of_a_kept_shape_does_not_wait_for_results",
+    async run({ browser }) {
+      const server = await growing();
+      server.files.set("kept.glb", server.files.get("shape.glb"));
+      const { page, context } = await openPage(browser, server.url, { query: "scene=kept.glb" });
+      assert.match(await words(page, ".reading-failed"), /made before they were/);
+      assert.ok(!/still being read/.test(await words(page, "#app")));
+      await context.close();
+      await server.close();
+    },
+  },
+  {
     name: "opening_of_a_model_by_the_program_ends_in_the_scene_that_convert_makes",
     skip: whyNot,
     async run({ browser }) {
