@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "read/abaqus/deck_mesh.hpp"
 #include "read/abaqus/deck_model.hpp"
+#include "support/mesh_text.hpp"
 
 #include "feelem/error.hpp"
 
@@ -156,27 +157,11 @@ std::string mesh_written_out(const std::string& text, unsigned threads) {
         const Deck deck = scan_decks(inputs, nullptr, diagnostics);
         DeckModel model = read_deck(deck, diagnostics);
         out = written_out(model);
-        const Mesh mesh = build_mesh(deck, model, diagnostics);
-        for (std::size_t i = 0; i < mesh.node_count(); ++i) {
-            out += fmt::format("{}", raw(mesh.node_ids[i]));
-            for (const double x : mesh.coordinates[i])
-                out += fmt::format(" {:x}", std::bit_cast<std::uint64_t>(x));
-            out += '\n';
-        }
-        for (const ElementBlock& block : mesh.blocks) {
-            out += fmt::format("{}:", element_row(block.type).name);
-            for (const ElementId id : block.ids) out += fmt::format(" {}", raw(id));
-            for (const PartIndex part : block.parts) out += fmt::format(" {}", mesh.parts[raw(part)].name);
-            for (const NodeIndex node : block.nodes) out += fmt::format(" {}", raw(node));
-            out += '\n';
-        }
-        for (const ElementSet& set : mesh.element_sets)
-            out += fmt::format("{} {}\n", set.name, set.elements.size());
+        out += test::mesh_text(build_mesh(deck, model, diagnostics));
     } catch (const Error& error) {
         out = error.what();
     }
-    for (const Diagnostic& one : diagnostics.entries())
-        out += fmt::format("{} {} {} {}\n", code_info(one.code).word, one.where, one.text, one.count);
+    out += test::diagnostics_text(diagnostics);
     set_thread_count(0);
     return out;
 }

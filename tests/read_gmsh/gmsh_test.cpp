@@ -3,6 +3,7 @@
 // and the boiler.
 #include "read_gmsh/msh_writer.hpp"
 #include "support/exchange_checks.hpp"
+#include "support/mesh_text.hpp"
 #include "support/opened_model.hpp"
 #include "support/paths.hpp"
 
@@ -168,26 +169,7 @@ TEST(Gmsh, faces_of_solids_are_sets_and_no_shells) {
 /// Everything that a mesh says.
 std::string written_out(const std::string& file) {
     const auto opened = open_text(file);
-    const Mesh& mesh = opened->model->mesh();
-    std::string out;
-    for (std::size_t i = 0; i < mesh.node_count(); ++i) {
-        out += fmt::format("{}", raw(mesh.node_ids[i]));
-        for (const double x : mesh.coordinates[i]) out += fmt::format(" {:a}", x);
-        out += '\n';
-    }
-    for (const ElementBlock& block : mesh.blocks) {
-        out += fmt::format("{}:", element_row(block.type).name);
-        for (const ElementId id : block.ids) out += fmt::format(" {}", raw(id));
-        for (const PartIndex part : block.parts) out += fmt::format(" {}", mesh.parts[raw(part)].name);
-        for (const NodeIndex node : block.nodes) out += fmt::format(" {}", raw(node));
-        out += '\n';
-    }
-    for (const NodeSet& set : mesh.node_sets) out += fmt::format("{} {}\n", set.name, set.nodes.size());
-    for (const ElementSet& set : mesh.element_sets)
-        out += fmt::format("{} {}\n", set.name, set.elements.size());
-    for (const auto& [name, count] : mesh.skipped_elements) out += fmt::format("{} {}\n", name, count);
-    for (const Diagnostic& one : opened->diagnostics.entries()) out += one.text + one.where + "\n";
-    return out;
+    return test::mesh_text(opened->model->mesh()) + test::diagnostics_text(opened->diagnostics);
 }
 
 /// The numbers of a section with more blanks between them than the fast way takes.

@@ -7,6 +7,7 @@
 #include "read/nastran/plain_cards.hpp"
 #include "read/nastran/plain_elements.hpp"
 #include "read/nastran/plain_grids.hpp"
+#include "support/mesh_text.hpp"
 #include "support/paths.hpp"
 
 #include "feelem/error.hpp"
@@ -233,25 +234,11 @@ std::string written_out(const std::string& deck, unsigned threads) {
     try {
         const BulkModel model = read_bulk({Input::from_memory("deck.bdf", deck)}, nullptr, diagnostics);
         text = fmt::format("{} cards, {} grids\n", model.cards, model.grids);
-        for (std::size_t i = 0; i < model.mesh.node_count(); ++i) {
-            text += fmt::format("{}", raw(model.mesh.node_ids[i]));
-            for (const double x : model.mesh.coordinates[i])
-                text += fmt::format(" {:x}", std::bit_cast<std::uint64_t>(x));
-            text += '\n';
-        }
-        for (const ElementBlock& block : model.mesh.blocks) {
-            text += fmt::format("{}:", element_row(block.type).name);
-            for (const ElementId id : block.ids) text += fmt::format(" {}", raw(id));
-            for (const PartIndex part : block.parts)
-                text += fmt::format(" {}", model.mesh.parts[raw(part)].name);
-            for (const NodeIndex node : block.nodes) text += fmt::format(" {}", raw(node));
-            text += '\n';
-        }
+        text += test::mesh_text(model.mesh);
     } catch (const Error& error) {
         text = error.what();
     }
-    for (const Diagnostic& one : diagnostics.entries())
-        text += fmt::format("{} {} {} {}\n", code_info(one.code).word, one.where, one.text, one.count);
+    text += test::diagnostics_text(diagnostics);
     set_thread_count(0);
     return text;
 }

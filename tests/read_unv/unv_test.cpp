@@ -2,6 +2,7 @@
 // What a universal file says, on a small plate and on short texts.
 #include "read/read_format.hpp"
 #include "support/exchange_checks.hpp"
+#include "support/mesh_text.hpp"
 #include "support/meshes.hpp"
 #include "support/opened_model.hpp"
 #include "support/paths.hpp"
@@ -266,24 +267,7 @@ TEST(Unv, other_text_is_not_taken_for_a_universal_file) {
 
 std::string mesh_written_out(const std::string& file) {
     const auto opened = test::open_bytes({{"test.unv", file}});
-    const Mesh& mesh = opened->model->mesh();
-    std::string out;
-    for (std::size_t i = 0; i < mesh.node_count(); ++i) {
-        out += fmt::format("{}", raw(mesh.node_ids[i]));
-        for (const double x : mesh.coordinates[i]) out += fmt::format(" {:a}", x);
-        out += '\n';
-    }
-    for (const ElementBlock& block : mesh.blocks) {
-        out += fmt::format("{}:", element_row(block.type).name);
-        for (const ElementId id : block.ids) out += fmt::format(" {}", raw(id));
-        for (const PartIndex part : block.parts) out += fmt::format(" {}", mesh.parts[raw(part)].name);
-        for (const NodeIndex node : block.nodes) out += fmt::format(" {}", raw(node));
-        out += '\n';
-    }
-    for (const auto& [name, count] : mesh.skipped_elements) out += fmt::format("{} {}\n", name, count);
-    for (const Diagnostic& one : opened->diagnostics.entries())
-        out += fmt::format("{} {} {}\n", one.where, one.text, one.count);
-    return out;
+    return test::mesh_text(opened->model->mesh()) + test::diagnostics_text(opened->diagnostics);
 }
 
 TEST(Unv, numbers_parted_by_tabs_are_the_same_mesh) {
