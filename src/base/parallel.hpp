@@ -13,7 +13,8 @@ inline constexpr std::size_t kParallelChunk = 1U << 14U;
 
 /// At most this many threads from now on; 0: as many as the machine has.
 void set_thread_count(unsigned count);
-/// How many threads parallel_chunks may use now.
+/// How many threads parallel_chunks may use now. It changes at any time, when a OneThreadFewer comes or goes:
+/// what depends on it must be decided once.
 unsigned thread_count();
 
 /// While it lives, one thread fewer: for work that has a thread of its own.
@@ -35,13 +36,24 @@ void parallel_chunks(
     std::size_t count, std::size_t chunk, const std::function<void(std::size_t first, std::size_t last)>& body
 );
 
-/// How many chunks ordered_chunks() has in work at once.
+/// The same in this thread alone unless `is_shared`: for a body that was chosen for one thread. That
+/// thread_count() is 1 does not say so, the number can grow while the loop runs.
+void parallel_chunks_if(
+    bool is_shared,
+    std::size_t count,
+    std::size_t chunk,
+    const std::function<void(std::size_t first, std::size_t last)>& body
+);
+
+/// How many chunks ordered_chunks() should have in work at once now.
 std::size_t ordered_slots();
 
 /// Chunks 0 to count - 1: work(i, slot) at once and in any order, then take(i, slot) one after the other from
-/// 0 on, so that what is taken does not depend on the number of threads. A slot (below ordered_slots()) is
-/// one chunk's own from its work to the end of its take. An exception is rethrown here.
+/// 0 on, so that what is taken does not depend on the number of threads. A slot (below `slots`) is one
+/// chunk's own from its work to the end of its take. With one slot all is done in this thread. An exception
+/// is rethrown here.
 void ordered_chunks(
+    std::size_t slots,
     std::size_t count,
     const std::function<void(std::size_t i, std::size_t slot)>& work,
     const std::function<void(std::size_t i, std::size_t slot)>& take

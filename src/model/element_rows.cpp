@@ -77,7 +77,7 @@ void MeshBuilder::add_elements(
         }
         add_whole(count);
     };
-    ordered_chunks((ids.size() + kRowsAChunk - 1) / kRowsAChunk, find, take);
+    ordered_chunks(slots.size(), (ids.size() + kRowsAChunk - 1) / kRowsAChunk, find, take);
 }
 
 }  // namespace feelem

@@ -45,6 +45,7 @@ std::optional<std::size_t> read_in_text_chunks(std::size_t first, std::size_t la
         slot.end = rows.read(slot.chunk, from, stop);
     };
     ordered_chunks(
+        slots.size(),
         (last - first + kTextChunk - 1) / kTextChunk,
         [&](std::size_t i, std::size_t slot) {
             if (!is_over)

@@ -258,13 +258,14 @@ void plan_parts(SceneBuild& build, Diagnostics& diagnostics) {
 void write_geometry(SceneBuild& build) {
     // Sums in one order cannot be shared out, but they need not be waited for.
     Behind measuring(1);
-    if (thread_count() > 1) measuring.add([&] { measure(build); });
+    const bool is_shared = thread_count() > 1;
+    if (is_shared) measuring.add([&] { measure(build); });
     for (ScenePartBuild& part : build.parts) {
         write_vertices(build, part);
         write_triangles(build, part);
     }
     for (ScenePartBuild& part : build.parts) write_edges(build, part);
-    if (thread_count() > 1)
+    if (is_shared)
         measuring.wait();
     else
         measure(build);

@@ -62,7 +62,10 @@ void ScratchFile::write_behind(std::vector<std::byte> bytes, std::shared_ptr<Sha
         if (digest) digest->add(bytes);
         put(bytes);
     };
-    if (thread_count() < 2) return task();
+    if (thread_count() < 2) {
+        settle();  // The number may have been greater before.
+        return task();
+    }
     behind_.add(std::move(task));
 }
 

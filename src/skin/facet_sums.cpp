@@ -111,7 +111,7 @@ FacetSums sum_facets(
         for (std::size_t i = 0; !set_aside.empty() && i < count; ++i) {
             if (is_set_aside(set_aside, solids, i)) sums.of_set_aside += solids.row->facet_count;
         }
-        parallel_chunks(count, kParallelChunk, [&](std::size_t first, std::size_t last) {
+        parallel_chunks_if(is_shared, count, kParallelChunk, [&](std::size_t first, std::size_t last) {
             const std::array range{first, last};
             is_shared ? add_hashes<SharedSums>(solids, set_aside, range, sums.at_nodes.data(), noticed)
                       : add_hashes<OwnSums>(solids, set_aside, range, sums.at_nodes.data(), noticed);

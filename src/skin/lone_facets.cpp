@@ -154,11 +154,12 @@ NodeRanks settle_lone_facets(
     ZeroedArray<std::uint64_t> seen(sums.size());
     const bool is_shared = thread_count() > 1;
     for (const SolidBlock& solids : blocks) {
-        parallel_chunks(solids.block->ids.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
+        const auto look = [&](std::size_t first, std::size_t last) {
             const std::array range{first, last};
             is_shared ? look_for_rests<SharedSeen>(solids, set_aside, range, sums, seen.data(), outer_bits)
                       : look_for_rests<OwnSeen>(solids, set_aside, range, sums, seen.data(), outer_bits);
-        });
+        };
+        parallel_chunks_if(is_shared, solids.block->ids.size(), kParallelChunk, look);
     }
     return marked(sums.size(), [&](std::size_t first, std::span<std::uint64_t> words) {
         find_unsettled(sums.subspan(first), seen.span().subspan(first), words);

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace feelem {
@@ -15,6 +17,7 @@ TEST(OrderedChunks, are_taken_in_order_with_a_slot_of_their_own_by_any_number_of
         set_thread_count(threads);
         std::vector<std::size_t> slots(ordered_slots()), taken;
         ordered_chunks(
+            slots.size(),
             500,
             [&](std::size_t i, std::size_t slot) {
                 volatile std::size_t idle = 0;
@@ -46,11 +49,45 @@ TEST(OneThreadFewer, leaves_at_least_one) {
     set_thread_count(0);
 }
 
+TEST(OrderedChunks, of_one_slot_stay_in_this_thread_when_another_one_is_given_back) {
+    set_thread_count(2);
+    auto fewer = std::make_unique<OneThreadFewer>();
+    const std::size_t slots = ordered_slots();
+    ASSERT_EQ(slots, 1u);
+    fewer.reset();
+    const std::thread::id here = std::this_thread::get_id();
+    ordered_chunks(
+        slots,
+        200,
+        [&](std::size_t, std::size_t slot) {
+            EXPECT_EQ(slot, 0u);
+            EXPECT_EQ(std::this_thread::get_id(), here);
+        },
+        [](std::size_t, std::size_t slot) { EXPECT_EQ(slot, 0u); }
+    );
+    set_thread_count(0);
+}
+
+TEST(ParallelChunks, that_are_not_shared_stay_in_this_thread_and_in_order) {
+    set_thread_count(2);
+    const std::thread::id here = std::this_thread::get_id();
+    std::vector<std::size_t> seen;
+    parallel_chunks_if(false, 1003, 5, [&](std::size_t first, std::size_t last) {
+        EXPECT_EQ(std::this_thread::get_id(), here);
+        for (std::size_t i = first; i < last; ++i) seen.push_back(i);
+    });
+    std::vector<std::size_t> all(1003);
+    std::iota(all.begin(), all.end(), 0U);
+    EXPECT_EQ(seen, all);
+    set_thread_count(0);
+}
+
 TEST(OrderedChunks, end_with_what_a_chunk_throws) {
     set_thread_count(3);
     std::size_t taken = 0;
     EXPECT_THROW(
         ordered_chunks(
+            ordered_slots(),
             100,
             [](std::size_t, std::size_t) {},
             [&](std::size_t i, std::size_t) {
@@ -62,7 +99,7 @@ TEST(OrderedChunks, end_with_what_a_chunk_throws) {
     );
     EXPECT_EQ(taken, 40u);
     ordered_chunks(
-        0, [](std::size_t, std::size_t) { FAIL(); }, [](std::size_t, std::size_t) { FAIL(); }
+        4, 0, [](std::size_t, std::size_t) { FAIL(); }, [](std::size_t, std::size_t) { FAIL(); }
     );
     set_thread_count(0);
 }

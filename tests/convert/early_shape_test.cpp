@@ -2,6 +2,7 @@
 // The shape alone, offered while results are still to be read.
 #include "convert/scene_for_viewing.hpp"
 #include "support/paths.hpp"
+#include "support/threads.hpp"
 
 #include "feelem/convert.hpp"
 #include "feelem/error.hpp"
@@ -106,6 +107,18 @@ TEST(EarlyShape, its_certificate_says_that_it_is_no_finished_scene) {
     }
     EXPECT_THAT(failing, ElementsAre("finished scene"));
     for (const Claim& claim : check_scene(job.output)) EXPECT_TRUE(claim.holds) << claim.name;
+}
+
+TEST(EarlyShape, and_scene_are_the_same_while_threads_come_and_go) {
+    const Job job = boiler_to("early/changing");
+    const Converted once(job);
+    const std::string shape = bytes_of(once.shape_path), scene = bytes_of(job.output);
+    const ThreadsComeAndGo changing;
+    for (int i = 0; i < 20; ++i) {
+        const Converted again(job);
+        ASSERT_TRUE(bytes_of(again.shape_path) == shape) << "the shape of run " << i;
+        ASSERT_TRUE(bytes_of(job.output) == scene) << "the scene of run " << i;
+    }
 }
 
 TEST(EarlyShape, who_does_not_want_one_gets_none) {

@@ -4,6 +4,7 @@
 #include "model/mesh_builder.hpp"
 #include "support/meshes.hpp"
 #include "support/skin_checks.hpp"
+#include "support/threads.hpp"
 
 #include "feelem/skin.hpp"
 
@@ -431,20 +432,34 @@ TEST(Glyphs, points_are_drawn_only_where_there_is_nothing_else) {
     EXPECT_EQ(skin.diagnostics.count(Code::SkippedElement), 1U);
 }
 
+void expect_same(const Surface& one, const Surface& other) {
+    ASSERT_EQ(one.report.solid_facets_kept, other.report.solid_facets_kept);
+    ASSERT_TRUE(one.positions == other.positions);
+    ASSERT_TRUE(one.normals == other.normals);
+    ASSERT_TRUE(one.triangles == other.triangles);
+    ASSERT_TRUE(one.edges == other.edges);
+    ASSERT_TRUE(one.triangle_element == other.triangle_element);
+}
+
+/// Many chunks of 16,384 elements, which meet at nodes everywhere.
+Mesh many_bricks() {
+    return test::renumbered(test::brick_grid(60, 40, 30), 1);
+}
+
 TEST(Skin, is_the_same_whatever_the_number_of_threads) {
-    // Many chunks of 16,384 elements.
-    const Mesh mesh = test::brick_grid(60, 40, 30);
+    const Mesh mesh = many_bricks();
     set_thread_count(1);
     const Surface one = skin_of(mesh).surface;
     set_thread_count(0);
-    const Surface all = skin_of(mesh).surface;
-
     EXPECT_EQ(one.report.solid_facets_kept, 2U * (60 * 40 + 40 * 30 + 60 * 30));
-    EXPECT_EQ(one.positions, all.positions);
-    EXPECT_EQ(one.normals, all.normals);
-    EXPECT_EQ(one.triangles, all.triangles);
-    EXPECT_EQ(one.edges, all.edges);
-    EXPECT_EQ(one.triangle_element, all.triangle_element);
+    expect_same(one, skin_of(mesh).surface);
+}
+
+TEST(Skin, is_the_same_while_threads_come_and_go) {
+    const Mesh mesh = many_bricks();
+    const Surface still = skin_of(mesh).surface;
+    const test::ThreadsComeAndGo changing;
+    for (int i = 0; i < 30; ++i) expect_same(still, skin_of(mesh).surface);
 }
 
 }  // namespace

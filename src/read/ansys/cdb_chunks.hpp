@@ -94,6 +94,7 @@ void read_in_chunks(const BlockRows& rows, const Read& read, const Take& take) {
     std::vector<Chunk> slots(ordered_slots());
     std::size_t next = rows.begin;
     ordered_chunks(
+        slots.size(),
         rows.cuts.size() + 1,
         [&](std::size_t i, std::size_t slot) {
             read_from(slots[slot], i, i == 0 ? rows.begin : rows.cuts[i - 1]);
