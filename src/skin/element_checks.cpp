@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace feelem {
@@ -118,8 +119,10 @@ std::uint64_t count_inverted_solids(const Mesh& mesh, const std::vector<bool>& s
 bool flip_facets_of_inverted_solids(const Mesh& mesh, std::vector<FacetRef>& facets) {
     std::atomic<bool> any{false};
     parallel_chunks(facets.size(), kParallelChunk, [&](std::size_t first, std::size_t last) {
+        // Those behind `last` are being changed by another thread.
+        const auto ours = std::span<const FacetRef>(facets).first(last);
         for (std::size_t i = first; i < last; ++i) {
-            fetch_elements(mesh, facets, i);
+            fetch_elements(mesh, ours, i);
             const bool same_element = i > first && facets[i].block == facets[i - 1].block &&
                                       facets[i].position == facets[i - 1].position;
             facets[i].flipped = same_element
