@@ -46,21 +46,6 @@ void parallel_chunks(
     });
 }
 
-void parallel_chunks_if(
-    bool is_shared,
-    std::size_t count,
-    std::size_t chunk,
-    const std::function<void(std::size_t first, std::size_t last)>& body
-) {
-    if (is_shared) return parallel_chunks(count, chunk, body);
-    for (std::size_t first = 0; first < count; first += chunk) body(first, std::min(first + chunk, count));
-}
-
-std::size_t ordered_slots() {
-    const std::size_t threads = thread_count();
-    return threads <= 1 ? 1 : 2 * threads;
-}
-
 void ordered_chunks(
     std::size_t slots,
     std::size_t count,

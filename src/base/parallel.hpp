@@ -2,6 +2,7 @@
 // Threads behind one function, split the same way whatever their number, so that results do not depend on it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -38,15 +39,17 @@ void parallel_chunks(
 
 /// The same in this thread alone unless `is_shared`: for a body that was chosen for one thread. That
 /// thread_count() is 1 does not say so, the number can grow while the loop runs.
-void parallel_chunks_if(
-    bool is_shared,
-    std::size_t count,
-    std::size_t chunk,
-    const std::function<void(std::size_t first, std::size_t last)>& body
-);
+template <class Body>
+void parallel_chunks_if(bool is_shared, std::size_t count, std::size_t chunk, const Body& body) {
+    if (is_shared) return parallel_chunks(count, chunk, body);
+    for (std::size_t first = 0; first < count; first += chunk) body(first, std::min(first + chunk, count));
+}
 
 /// How many chunks ordered_chunks() should have in work at once now.
-std::size_t ordered_slots();
+inline std::size_t ordered_slots() {
+    const std::size_t threads = thread_count();
+    return threads <= 1 ? 1 : 2 * threads;
+}
 
 /// Chunks 0 to count - 1: work(i, slot) at once and in any order, then take(i, slot) one after the other from
 /// 0 on, so that what is taken does not depend on the number of threads. A slot (below `slots`) is one
