@@ -8,6 +8,7 @@
 #include <SDL.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -16,10 +17,10 @@ namespace feelem::viewer {
 
 namespace {
 
-constexpr int kFramesACall = 256;                  // 5.3 ms.
-constexpr double kLookAgainAfter = 2;              // Seconds between two attempts to have a device.
-constexpr double kLongestGap = 0.5;                // Of frames; sound of a longer one is left out.
-constexpr std::size_t kKept = 2 * 4 * kSoundRate;  // Four seconds between two calls of `take`.
+constexpr int kFramesACall = 256;              // 5.3 ms.
+constexpr double kLookAgainAfter = 2;          // Seconds between two attempts to have a device.
+constexpr double kLongestGap = 0.5;            // Of frames; sound of a longer one is left out.
+constexpr std::size_t kKept = 4 * kSoundRate;  // Four seconds between two calls of `take`.
 
 }  // namespace
 
@@ -29,7 +30,7 @@ struct AudioOutput::State {
 
     AudioEngine& engine;
     SoundOutputOptions options;
-    Queue<float> kept;
+    Queue<std::array<float, 2>> kept;  ///< Left and right are put in and taken together.
     SDL_AudioDeviceID device = 0;
     std::atomic<SDL_AudioDeviceID> lost{0};
     bool has_sdl = false;
@@ -63,7 +64,7 @@ int SDLCALL AudioOutput::State::event_seen(void* state, SDL_Event* event) {
 void AudioOutput::State::render(std::span<float> out) {
     engine.render(out);
     if (!options.keep) return;
-    for (const float sample : out) kept.put(sample);
+    for (std::size_t i = 0; i + 1 < out.size(); i += 2) kept.put({out[i], out[i + 1]});
 }
 
 void AudioOutput::State::look(double time) {
@@ -136,7 +137,7 @@ const std::string& AudioOutput::trouble() const {
 std::vector<float> AudioOutput::take() {
     std::vector<float> taken;
     if (!state_->options.keep) return taken;
-    while (const std::optional<float> sample = state_->kept.take()) taken.push_back(*sample);
+    while (const auto both = state_->kept.take()) taken.insert(taken.end(), both->begin(), both->end());
     return taken;
 }
 

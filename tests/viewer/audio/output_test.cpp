@@ -45,6 +45,7 @@ struct Loop {
             output.update(frame / 72.0);
             if (waits) wait();
             const std::vector<float> taken = output.take();
+            EXPECT_EQ(taken.size() % 2, 0U) << "one ear without the other";
             for (std::size_t k = 0; k < taken.size(); k += 2) left.push_back(taken[k]);
         }
     }
