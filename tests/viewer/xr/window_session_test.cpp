@@ -68,7 +68,8 @@ protected:
         if (IsSkipped()) return;
         if (!std::filesystem::exists(kLayer))
             GTEST_SKIP() << "package openxr-layer-corevalidation is not installed";
-        report = feelem::test::scratch_folder("viewer_xr/validation") + "/report.txt";
+        const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+        report = feelem::test::scratch_folder("viewer_xr/validation_" + name) + "/report.txt";
         environment.set("XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation");
         environment.set("XR_CORE_VALIDATION_EXPORT_TYPE", "text");
         environment.set("XR_CORE_VALIDATION_FILE_NAME", report);
