@@ -9,13 +9,23 @@ export const here = dirname(fileURLToPath(import.meta.url));
 export const root = join(here, '..', '..');
 export const require = createRequire(join(root, 'web', 'package.json'));
 
+/** A test that runs at the same time may just have taken its folder away. */
+function entriesOf(folder) {
+  try {
+    return readdirSync(folder, { withFileTypes: true });
+  } catch (error) {
+    if (error.code === 'ENOENT') return [];
+    throw error;
+  }
+}
+
 /**
  * All scenes below a folder, but for those in folders named "broken" and "stand_ins" (the server's), which only look like scenes, and
  * those of the native viewer's tests, which write what others have written and may run at the same time.
  */
 export function scenesIn(folder) {
   const found = [];
-  for (const entry of readdirSync(folder, { withFileTypes: true })) {
+  for (const entry of entriesOf(folder)) {
     const path = join(folder, entry.name);
     const isOurs = !['broken', 'stand_ins'].includes(entry.name) && !entry.name.startsWith('viewer_');
     if (entry.isDirectory() && isOurs) found.push(...scenesIn(path));
