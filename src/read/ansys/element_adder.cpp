@@ -171,10 +171,11 @@ void ElementAdder::add_named(
 }
 
 const TypeShape& ElementAdder::type_of(std::int64_t number) {
+    static const TypeShape kNotNamed;
     if (number != last_type_ || type_ == nullptr) {
         last_type_ = number;
-        const bool fits = number <= std::numeric_limits<std::int32_t>::max();
-        type_ = &types_[fits ? static_cast<int>(number) : std::numeric_limits<std::int32_t>::max()];
+        const TypeShape* const named = find_type(number);
+        type_ = named != nullptr ? named : &kNotNamed;
     }
     return *type_;
 }

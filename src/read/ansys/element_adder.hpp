@@ -136,7 +136,7 @@ private:
     );
 
     MeshBuilder& builder_;
-    TypeTable types_;
+    const TypeTable types_;  ///< Several threads look at it while elements are added.
     Diagnostics& diagnostics_;
     SeenIds seen_;
     std::array<NodeId, kMaxElementNodes> nodes_{};
