@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <memory>
@@ -191,8 +192,9 @@ int run_view(const Options& options) {
     // Ctrl-C is waited for here and nowhere else.
     const SignalsWait until_asked_for;
     viewing.show_scene(*scene);
-    int signal = 0;
-    if (!was_interrupted()) sigwait(&SignalsWait::ending(), &signal);
+    // Until this thread waits, another may be given the signal: then it is only noted.
+    const timespec often{0, 200'000'000};
+    while (!was_interrupted() && sigtimedwait(&SignalsWait::ending(), nullptr, &often) < 0) {}
     viewing.stop();
     return 0;
 }

@@ -2,6 +2,7 @@
 #include "question_pool.hpp"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace feelem::server {
@@ -12,7 +13,12 @@ using namespace std::chrono_literals;
 }  // namespace
 
 QuestionPool::QuestionPool(const PoolLimits& limits) : limits_(limits) {
-    for (std::size_t i = 0; i < limits_.workers; ++i) workers_.emplace_back([this] { run_worker(); });
+    try {
+        while (workers_.size() < limits_.workers) workers_.emplace_back([this] { run_worker(); });
+    } catch (const std::system_error&) {
+        // The system has no more threads to give: fewer do.
+        if (workers_.empty()) throw;
+    }
 }
 
 QuestionPool::~QuestionPool() {
