@@ -45,18 +45,31 @@ function sheetFile(folder, side) {
   return file;
 }
 
-/** The page's clock: each frame is globalThis.frameMs later, however long it took to draw. Before the page's own scripts. */
+/**
+ * A clock for the page's frames and the headset's: each is globalThis.frameMs after the last, however long it took to draw. Before
+ * the page's own scripts.
+ */
 function frameClock() {
   globalThis.frameMs = 10;
-  let [now, last] = [0, 0];
-  const own = window.requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (act) =>
-    own((time) => {
-      // All that ask for one frame are told the same.
-      if (time !== last) now += globalThis.frameMs;
-      last = time;
-      act(now);
-    });
+  const counted = (request) => {
+    let [now, last] = [0, 0];
+    return function (act) {
+      return request.call(this, (time, ...rest) => {
+        // All that ask for one frame are told the same.
+        if (time !== last) now += globalThis.frameMs;
+        last = time;
+        act(now, ...rest);
+      });
+    };
+  };
+  window.requestAnimationFrame = counted(window.requestAnimationFrame.bind(window));
+  Object.defineProperty(globalThis, "XRSession", {
+    configurable: true,
+    set(made) {
+      made.prototype.requestAnimationFrame = counted(made.prototype.requestAnimationFrame);
+      Object.defineProperty(globalThis, "XRSession", { configurable: true, writable: true, value: made });
+    },
+  });
   globalThis.cornersDrawn = 0;
   const draw = WebGL2RenderingContext.prototype.drawElements;
   WebGL2RenderingContext.prototype.drawElements = function (mode, count, ...rest) {
@@ -226,32 +239,8 @@ export const lodTests = [
         );
         const scene = readScene(readFileSync(file));
         const [level] = scene.extras.levels;
-        // The headset's clock: each frame is globalThis.frameMs after the last, however long it took to draw.
-        const before = () => {
-          globalThis.frameMs = 10;
-          let [now, last] = [0, 0];
-          Object.defineProperty(globalThis, "XRSession", {
-            configurable: true,
-            set(made) {
-              const own = made.prototype.requestAnimationFrame;
-              made.prototype.requestAnimationFrame = function (act) {
-                return own.call(this, (time, frame) => {
-                  // All that ask for one frame are told the same.
-                  if (time !== last) now += globalThis.frameMs;
-                  last = time;
-                  act(now, frame);
-                });
-              };
-              Object.defineProperty(globalThis, "XRSession", {
-                configurable: true,
-                writable: true,
-                value: made,
-              });
-            },
-          });
-        };
         const { page, context, problems } = await enter(browser, await shop.show(file), {
-          before,
+          before: frameClock,
           governed: true,
         });
         const fine = await until(
